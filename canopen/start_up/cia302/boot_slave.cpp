@@ -70,6 +70,7 @@ void BootSlave::Ask(const NodeId node, const BootTime& time) noexcept
 {
     const BootJob job = JobOf(node, time);
     Clear(job);
+    job.record.is_end_waiting = false; // It is there, and runs no more.
     Go(job, BeginOf(job.setup));
     OnCycle(node, time);
 }
@@ -213,6 +214,7 @@ void BootSlave::TakeOver(const NodeId node, const BootTime& time) noexcept
 {
     const BootJob job = JobOf(node, time);
     Clear(job);
+    job.record.is_end_waiting = false;
     job.record.was_operational = true;
     job.record.status.is_started = true;
     Go(job, BootEvent::kBeginUnasked);
@@ -249,8 +251,10 @@ void BootSlave::Forget(const NodeId node) noexcept
     End(node);
     BootRecord& record = Record(node);
     const bool is_held = record.is_held;
+    const bool is_end_waiting = record.IsSeenStarted() && parts_.nmt.IsLeaving(node);
     record = BootRecord{};
     record.is_held = is_held;
+    record.is_end_waiting = is_end_waiting;
 }
 
 /// Nothing runs any more; the gate keeps what it found.

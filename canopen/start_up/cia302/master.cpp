@@ -12,18 +12,26 @@ constexpr std::uint8_t kBehindLast = kLastNode + 1U;
 } // namespace
 
 Cia302Master::Cia302Master(const StartUpParts& parts, BootSlave& boot) noexcept
-    : parts_(parts), boot_(boot), step_(MasterStep::kIdle), reset_(NmtCommand::kResetCommunication), cursor_(0U),
-      is_start_due_(false), has_news_(false), is_self_due_(false), is_held_(false)
+    : parts_(parts), boot_(boot), step_(MasterStep::kIdle), told_(MasterStep::kIdle),
+      reset_(NmtCommand::kResetCommunication), cursor_(0U), is_start_due_(false), has_news_(false), is_self_due_(false),
+      is_held_(false)
 {
 }
 
 void Cia302Master::Go(const MasterEvent event, const Instant now) noexcept
 {
-    const MasterStep step = Next(step_, event);
-    if (step != step_)
+    step_ = Next(step_, event);
+    TellStep(now);
+}
+
+void Cia302Master::TellStep(const Instant now) noexcept
+{
+    const bool is_of_all = (step_ == MasterStep::kStopped) || (step_ == MasterStep::kBooting);
+    const bool is_waiting = is_of_all && parts_.nmt.IsLeaving(kAllNodes);
+    if ((step_ != told_) && !is_waiting)
     {
-        step_ = step;
-        parts_.listener.OnMasterState(static_cast<std::int16_t>(step_), now);
+        told_ = step_;
+        parts_.listener.OnMasterState(static_cast<std::int16_t>(told_), now);
     }
 }
 
@@ -39,6 +47,24 @@ void Cia302Master::Begin(const NmtCommand reset, const BootTime& time) noexcept
 
 void Cia302Master::End(const Instant now) noexcept
 {
+    Forget();
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        boot_.Record(NodeId{id}).is_end_waiting = false;
+    }
+    TellStep(now);
+}
+
+/// The end is not told: the steps of before are, until the reset was sent. [SRS_BOOT_821]
+void Cia302Master::BootAnew(const BootTime& time) noexcept
+{
+    Forget();
+    Free();
+    BootAll(time);
+}
+
+void Cia302Master::Forget() noexcept
+{
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
         boot_.Forget(NodeId{id});
@@ -47,7 +73,7 @@ void Cia302Master::End(const Instant now) noexcept
     }
     is_start_due_ = false;
     is_self_due_ = false;
-    Go(MasterEvent::kEnd, now);
+    step_ = Next(step_, MasterEvent::kEnd);
 }
 
 void Cia302Master::Free() noexcept
@@ -203,8 +229,9 @@ void Cia302Master::VerifyRunning(const BootTime& time) noexcept
     }
 }
 
-void Cia302Master::TellStarts(const Instant now) noexcept
+void Cia302Master::TellSent(const Instant now) noexcept
 {
+    TellStep(now);
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
         BootRecord& record = boot_.Record(NodeId{id});

@@ -28,10 +28,13 @@ class Cia302Master
     void Free() noexcept;
     /// @brief Sends the resets that wait; when all have left, the boots begin. Does nothing in other steps.
     void SendResets(const BootTime& time) noexcept;
+    /// @brief A reset of all was ordered: as End and Free, and then BootAll.
+    void BootAnew(const BootTime& time) noexcept;
     /// @brief Boots all listed slaves that do not boot yet: the resets have left, or the application sent them.
     void BootAll(const BootTime& time) noexcept;
-    /// @brief Tells which starts that waited were sent. Once a cycle. O(127) [SRS_BOOT_800]
-    void TellStarts(Instant now) noexcept;
+    /// @brief Tells which commands that waited were sent. Once a cycle. O(127) [SRS_BOOT_800, SRS_BOOT_820,
+    /// SRS_BOOT_821]
+    void TellSent(Instant now) noexcept;
     /// @brief Sends the start of the slaves that waits for room in the queue, if any.
     void SendStart(const BootTime& time) noexcept;
     /// @brief Looks at the mandatory slaves if a boot has ended. Call it at the end of a call, not from within a boot.
@@ -51,6 +54,11 @@ class Cia302Master
     {
         return step_;
     }
+    /// @brief The step as it is told: one that a command for all makes when that was sent. [SRS_BOOT_821]
+    [[nodiscard]] MasterStep ToldStep() const noexcept
+    {
+        return told_;
+    }
     /// @brief Whether the master is OPERATIONAL.
     [[nodiscard]] bool IsOperational() const noexcept;
     /// @brief Whether a start of several leaves somebody out: IsRefused of BootSlave.
@@ -58,6 +66,8 @@ class Cia302Master
 
   private:
     void Go(MasterEvent event, Instant now) noexcept;
+    void TellStep(Instant now) noexcept;
+    void Forget() noexcept;
     void StartSlaves(const BootTime& time) noexcept;
     void VerifyRunning(const BootTime& time) noexcept;
     [[nodiscard]] bool HasKeptAlive() const noexcept;
@@ -67,6 +77,7 @@ class Cia302Master
     StartUpParts parts_;
     BootSlave& boot_;
     MasterStep step_;
+    MasterStep told_;     ///< The step that was told last.
     NmtCommand reset_;    ///< Of the running kReset.
     std::uint8_t cursor_; ///< Next node to be reset; 0: all at once.
     bool is_start_due_;   ///< The slaves are to be started together.

@@ -115,7 +115,7 @@ void Cia302StartUp::VerifyAgain(const NodeId node, const BootTime& time) noexcep
 void Cia302StartUp::OnCycle(const Instant now) noexcept
 {
     const BootTime time = clock_.Tick(now);
-    master_.TellStarts(now);
+    master_.TellSent(now);
     master_.SendResets(time);
     React(time);
     master_.SendStart(time);
@@ -271,7 +271,7 @@ void Cia302StartUp::EndBoots(const BootTime& time) noexcept
         BootRecord& record = boot_.Record(node);
         const bool is_booting = record.IsBooting();
         boot_.End(node);
-        record.status.is_started = false;
+        record.NoteCommand(false, false, parts_.nmt.IsLeaving(node));
         if (is_booting && parts_.setup.IsSafetySlave(node))
         {
             boot_.Doubt(node, time);
@@ -387,8 +387,8 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
         const bool is_begun = (answer == NmtAnswer::kTaken) && (master_.Step() != MasterStep::kIdle);
         if (is_begun && IsReset(command))
         {
-            End();
-            master_.BootAll(time);
+            reaction_ = Reaction::kNone;
+            master_.BootAnew(time);
         }
         else if (is_begun)
         {
@@ -520,7 +520,7 @@ NodeStatus Cia302StartUp::Status(const NodeId node) const noexcept
 
 std::int16_t Cia302StartUp::MasterState() const noexcept
 {
-    return static_cast<std::int16_t>(master_.Step());
+    return static_cast<std::int16_t>(master_.ToldStep());
 }
 
 } // namespace counterpoint::cia302

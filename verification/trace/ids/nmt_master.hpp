@@ -49,6 +49,7 @@ inline constexpr RequirementId SRS_BOOT_520{"SRS_BOOT_520"};
 inline constexpr RequirementId SRS_BOOT_770{"SRS_BOOT_770"};
 inline constexpr RequirementId SRS_BOOT_800{"SRS_BOOT_800"};
 inline constexpr RequirementId SRS_BOOT_820{"SRS_BOOT_820"};
+inline constexpr RequirementId SRS_BOOT_821{"SRS_BOOT_821"};
 inline constexpr RequirementId SRS_NMM_001{"SRS_NMM_001"};
 inline constexpr RequirementId SRS_NMM_002{"SRS_NMM_002"};
 inline constexpr RequirementId SRS_NMM_003{"SRS_NMM_003"};

@@ -202,5 +202,52 @@ TEST_F(BootSentTest, AStartBehindAStopThatWaitsIsToldBehindIt)
     EXPECT_EQ(told, (Lines{"251:5", "451:5 started"}));
 }
 
+TEST_F(BootSentTest, StoppedAllIsToldWhenTheStopIsSent)
+{
+    Verifies(req::SRS_BOOT_821);
+    setup.start_up = kIsMaster | kStopAllOnError;
+    Add(5U, kMust).heartbeat_ms = 50U;
+    setups[5].heartbeat = HeartbeatSetup{150U, 50U, Arming::kFirstHeartbeat};
+    Add(6U, kBoot);
+    Add(7U, kBoot);
+    Begin();
+    Run(200U);
+    ASSERT_TRUE(Of(6U).is_started);
+    ASSERT_EQ(start_up.MasterState(), 5);
+    // Given a stop of all because of a loss, which waits
+    Order(NmtCommand::kPreOperational, 7U);
+    setup.inhibit_100us = 20000U; // 2 s
+    slaves[5]->Unplug();
+    Run(1000U);
+    EXPECT_EQ(nmt.Waiting(), 1U);
+    EXPECT_EQ(start_up.MasterState(), 5);
+    EXPECT_TRUE(Of(6U).is_started);
+    // Then it is told with it
+    Run(1001U);
+    EXPECT_EQ(nmt.Waiting(), 0U);
+    EXPECT_EQ(start_up.MasterState(), 6);
+    EXPECT_FALSE(Of(6U).is_started);
+}
+
+TEST_F(BootSentTest, BootingIsToldWhenTheResetOfAllIsSent)
+{
+    Verifies(req::SRS_BOOT_821);
+    Add(5U, kMust);
+    Add(7U, kBoot);
+    Begin();
+    Run(50U);
+    ASSERT_EQ(start_up.MasterState(), 5);
+    Order(NmtCommand::kPreOperational, 7U);
+    KeepWaiting();
+    slaves[5]->Unplug(); // It does not come back.
+    EXPECT_EQ(Order(NmtCommand::kResetNode, 0U), NmtAnswer::kTaken);
+    Run(199U);
+    EXPECT_EQ(start_up.MasterState(), 5);
+    EXPECT_TRUE(Of(5U).is_started);
+    Run(2U);
+    EXPECT_EQ(start_up.MasterState(), 2);
+    EXPECT_FALSE(Of(5U).is_started);
+}
+
 } // namespace
 } // namespace counterpoint::cia302
