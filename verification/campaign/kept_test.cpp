@@ -191,6 +191,7 @@ TEST_F(KeptTest, OutcomesThatNoCampaignWritesAreRefusedByTheirRow)
         {{Class::kDetected, Detector::kChannels, 200U, 0U, 1000U}, "reason 200, expected a cause of an SRDO"},
         {{Class::kDetected, Detector::kGuard, 200U, 0U, 1000U}, "reason 200, expected a device fault"},
         {{Class::kDetected, Detector::kGuard, 3U, 16U, 1000U}, "marks 16, expected bits 0 to 3 alone"},
+        {{Class::kExposed, Detector::kGuard, 3U, 32U, 1000U}, "marks 32, expected bits 0 to 4 alone"},
         {{Class::kOpen, Detector::kGuard, 3U, 0U, 1000U},
          "a fault that was not tried and has an outcome, expected none"}};
     const ResultsOf of = Session(plan_).Identity({2U, 2U});
@@ -215,6 +216,33 @@ TEST_F(KeptTest, OutcomesThatNoCampaignWritesAreRefusedByTheirRow)
     EXPECT_EQ(managed::StrangeIn({Class::kSilent, Detector::kNobody, 12U, 0U, 0U}).wrong, "reason 12");
     EXPECT_EQ(managed::StrangeIn({Class::kListed, Detector::kNobody, 7U, 0U, 0U}).expected, "0 to 6");
     EXPECT_EQ(managed::StrangeIn({Class::kListed, Detector::kNobody, 6U, 0U, 0U}).wrong, "");
+}
+
+TEST_F(KeptTest, EveryOutcomeThatACampaignWritesIsGoneOnWithAndJoined)
+{
+    Verifies(req::SRS_CMG_820);
+    const ResultsOf of = Session(plan_).Identity({2U, 2U});
+    // Given a file with a row of each kind, old values that were sent among them
+    const Outcome rows[] = {{Class::kExposed, Detector::kGuard, 3U, kMarkOldPair, 1000U},
+                            {Class::kExposed, Detector::kGuard, 3U, kMarkOldPair | kMarkLate, 1000U},
+                            {Class::kDetected, Detector::kChannels, 1U, kMarkSaidByA | kMarkSaidByB, 1000U},
+                            {Class::kDetected, Detector::kGuard, 3U, kMarkLatent, 1000U},
+                            {Class::kSilent, Detector::kNobody, 6U, 0U, 1000U}};
+    for (const Outcome& row : rows)
+    {
+        const std::string file = Path("results");
+        std::filesystem::remove(file);
+        Results(file, of).Put(2U, row);
+        // When the campaign goes on with it, then it is taken
+        const tools::test::Answer on = Campaign({plan_, "--jobs", "1", "--shard", "2/2", "--out", file});
+        EXPECT_NE(on.status, 2) << on.err;
+        // And the rows that it wrote are joined with those of the other half
+        const std::string other = Path("other");
+        std::filesystem::remove(other);
+        EXPECT_NE(Campaign({plan_, "--jobs", "1", "--shard", "1/2", "--out", other}).status, 2);
+        const tools::test::Answer joined = Campaign({"merge", plan_, other, file});
+        EXPECT_NE(joined.status, 2) << joined.err;
+    }
 }
 
 TEST_F(KeptTest, FileOfResultsThatIsCutEndsTheCampaignWithItsName)

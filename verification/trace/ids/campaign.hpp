@@ -121,6 +121,7 @@ inline constexpr RequirementId SRS_CMG_815{"SRS_CMG_815"};
 inline constexpr RequirementId SRS_CMG_816{"SRS_CMG_816"};
 inline constexpr RequirementId SRS_CMG_817{"SRS_CMG_817"};
 inline constexpr RequirementId SRS_CMG_818{"SRS_CMG_818"};
+inline constexpr RequirementId SRS_CMG_820{"SRS_CMG_820"};
 } // namespace counterpoint::req
 
 #endif
