@@ -410,12 +410,60 @@ TEST_F(NetworkObjectsTest, SetupIsReadAndWritten)
     EXPECT_EQ(constant.OnWrite(ObjectAddress{0x1F8AU, 5U}, Bytes{four, 1U}), SdoAbort::kReadOnly);
 }
 
+TEST_F(NetworkObjectsTest, EachObjectIsItsOwnNumberOfTheSetup)
+{
+    Verifies(req::SRS_NMM_010);
+    // Given a number for each object of slave 9
+    SlaveSetup& slave = setups[9];
+    slave.configuration_date = 0x1F26U;
+    slave.configuration_time = 0x1F27U;
+    slave.software.date = 0x1F53U;
+    slave.software.time = 0x1F54U;
+    slave.software.identification = 0x1F55U;
+    slave.assignment = 0x1F81U;
+    slave.device_type = 0x1F84U;
+    slave.vendor_id = 0x1F85U;
+    slave.product_code = 0x1F86U;
+    slave.revision_number = 0x1F87U;
+    slave.serial_number = 0x1F88U;
+    slave.restore_sub = 127U;
+    setup.start_up = 0x41U;
+    setup.boot_time_ms = 0x12345U;
+    setup.inhibit_100us = 0x102AU;
+    // Then each reads its own, and writes no other one
+    const std::uint16_t arrays[] = {0x1F26U, 0x1F27U, 0x1F53U, 0x1F54U, 0x1F55U, 0x1F81U,
+                                    0x1F84U, 0x1F85U, 0x1F86U, 0x1F87U, 0x1F88U};
+    for (const std::uint16_t index : arrays)
+    {
+        EXPECT_EQ(Read(index, 9U), 0x4'0000'0000U + index) << index;
+    }
+    EXPECT_EQ(Read(0x1F8AU, 9U), 0x1'0000'007FU);
+    EXPECT_EQ(Read(0x1F80U, 0U), 0x4'0000'0041U);
+    EXPECT_EQ(Read(0x1F89U, 0U), 0x4'0001'2345U);
+    EXPECT_EQ(Read(0x102AU, 0U), 0x2'0000'102AU);
+    EXPECT_EQ(Write(0x1F85U, 9U, 0xFFFF'FFFFU), SdoAbort::kNone);
+    EXPECT_EQ(slave.vendor_id, 0xFFFF'FFFFU);
+    EXPECT_EQ(slave.product_code, 0x1F86U);
+    EXPECT_EQ(slave.device_type, 0x1F84U);
+    // And a value out of range changes nothing, whichever of the bits above 6 it is
+    for (std::uint32_t bit = 7U; bit < 32U; ++bit)
+    {
+        EXPECT_EQ(static_cast<std::uint32_t>(Write(0x1F80U, 0U, 1U << bit)), 0x06090030U) << bit;
+    }
+    EXPECT_EQ(static_cast<std::uint32_t>(Write(0x1F8AU, 9U, 128U)), 0x06090030U);
+    EXPECT_EQ(static_cast<std::uint32_t>(Write(0x102AU, 0U, 0x10000U)), 0x06090030U);
+    EXPECT_EQ(setup.start_up, 0x41U);
+    EXPECT_EQ(slave.restore_sub, 127U);
+    EXPECT_EQ(setup.inhibit_100us, 0x102AU);
+    EXPECT_EQ(Write(0x1F8AU, 9U, 127U), SdoAbort::kNone);
+}
+
 TEST_F(NetworkObjectsTest, DomainsAreRead)
 {
     Verifies(req::SRS_NMM_010);
     NetworkDomains domains{setup};
     const Octets dcf{'[', 'x', ']'};
-    const Octets concise{0U, 0U, 0U, 0U};
+    const Octets concise{0U, 0U, 0U, 9U};
     const Octets program{1U, 2U};
     setups[5].dcf = Bytes{dcf.data(), 3U};
     setups[5].concise_dcf = Bytes{concise.data(), 4U};
@@ -424,7 +472,9 @@ TEST_F(NetworkObjectsTest, DomainsAreRead)
     EXPECT_EQ(domains.OnRead(ObjectAddress{0x1F20U, 5U}, Room{got.data(), 8U}).size_bytes, 3U);
     EXPECT_EQ(got[1], 'x');
     EXPECT_EQ(domains.OnRead(ObjectAddress{0x1F22U, 5U}, Room{got.data(), 8U}).size_bytes, 4U);
+    EXPECT_EQ(got[3], 9U);
     EXPECT_EQ(domains.OnRead(ObjectAddress{0x1F58U, 5U}, Room{got.data(), 8U}).size_bytes, 2U);
+    EXPECT_EQ(got[1], 2U);
     EXPECT_EQ(domains.OnRead(ObjectAddress{0x1F58U, 6U}, Room{got.data(), 8U}).size_bytes, 0U);
     EXPECT_EQ(domains.OnRead(ObjectAddress{0x1F58U, 5U}, Room{got.data(), 1U}).abort, SdoAbort::kOutOfMemory);
     EXPECT_EQ(domains.OnRead(ObjectAddress{0x1F58U, 0U}, Room{got.data(), 8U}).abort, SdoAbort::kSubUnknown);
