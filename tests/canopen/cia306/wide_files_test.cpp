@@ -246,6 +246,30 @@ TEST(WideFiles, AStaticMappingIsOneThatNobodyCanWrite)
                      .is_static);
 }
 
+TEST(WideFiles, TheEntriesThatAreCountedMakeAMappingStatic)
+{
+    Verifies(req::SRS_EDS_029);
+    const std::string text = test::FileText("static");
+    const auto is_static = [&text](const std::vector<test::Change>& changes)
+    { return SafetyOf(test::DeviceOf(test::Changed(text, changes))).srdos[1].is_static; };
+    const std::string count = "Number of mapped objects\nObjectType=0x7\nDataType=0x0005\nAccessType=";
+    const std::string first = "\nDefaultValue=0x24000110";
+    const std::string last = "\nDefaultValue=0x24100308";
+    // Given six entries, of which one, the first or the last, is neither const nor ro
+    for (const char* const access : {"rw", "wo", "rww", "rwr"})
+    {
+        EXPECT_FALSE(is_static({{"AccessType=const" + first, std::string("AccessType=") + access + first}})) << access;
+        EXPECT_FALSE(is_static({{"AccessType=const" + last, std::string("AccessType=") + access + last}})) << access;
+    }
+    // Given an own one that is not counted any more, then it does not matter
+    const std::string six = "const\nDefaultValue=6\n";
+    EXPECT_TRUE(is_static(
+        {{count + six, count + "const\nDefaultValue=4\n"}, {"AccessType=const" + last, "AccessType=rw" + last}}));
+    // Sub-index 0 may be ro, too; with none counted there is nothing that could be static
+    EXPECT_TRUE(is_static({{count + six, count + "ro\nDefaultValue=6\n"}}));
+    EXPECT_FALSE(is_static({{count + six, count + "const\nDefaultValue=0\n"}}));
+}
+
 TEST(WideFiles, TheDigestIsThatOfAnIndependentComputation)
 {
     Verifies(req::SRS_EDS_030);
