@@ -209,5 +209,34 @@ TEST_F(RpdoTest, TheDeadlineIsToldAndLeavesTheStateAlone)
     EXPECT_EQ(slave.State(), NodeState::kOperational);
 }
 
+TEST_F(RpdoTest, ThereIsNoDeadlineWithoutAnEventTimeOrAReceptionInOperational)
+{
+    Verifies(req::SRS_PDO_023);
+    // Given no event time, when nothing comes for the longest one, 65.535 s, behind a reception
+    UseRpdo(254U);
+    Hear({1U, 2U, 3U});
+    now_us += 65'535'001U;
+    Cycle();
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+    // Given one of 10 ms, and a reception before OPERATIONAL was left
+    EXPECT_EQ(WritePdo(0x1400U, 5U, 10U), SdoAbort::kNone);
+    Hear({1U, 2U, 3U});
+    Command(128U);
+    Cycle();
+    // When frames come in PRE-OPERATIONAL alone, then nothing is late there, nor behind it before the next reception
+    Hear({1U, 2U, 3U});
+    now_us += 10'001U;
+    Cycle();
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+    Command(1U);
+    now_us += 10'001U;
+    Cycle();
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+    Hear({1U, 2U, 3U});
+    now_us += 10'001U;
+    Cycle();
+    EXPECT_EQ(Emergency(), 0x8250U);
+}
+
 } // namespace
 } // namespace counterpoint::cia301

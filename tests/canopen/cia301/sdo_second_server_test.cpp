@@ -184,6 +184,27 @@ TEST_F(SdoSecondServerTest, AClientGivesUpWithItsStateItsServerAndItsReset)
     EXPECT_FALSE(asks.IsConnected());
 }
 
+TEST_F(SdoSecondServerTest, AClientGivesUpInEachStateThatHasNoSdoAndInNoOther)
+{
+    Verifies(req::SRS_SDC_012);
+    Connect();
+    for (const NodeState state : {NodeState::kInitialising, NodeState::kStopped})
+    {
+        EXPECT_TRUE(Ask(0x2105U));
+        // Given a transfer that goes on in PRE-OPERATIONAL and OPERATIONAL
+        for (const NodeState other : {NodeState::kPreOperational, NodeState::kOperational})
+        {
+            asks.OnCycle({other, Instant{now_us}});
+            EXPECT_EQ(asks.Client().State(), SdoClientState::kBusy);
+        }
+        // Then it ends in this state
+        asks.OnCycle({state, Instant{now_us}});
+        EXPECT_EQ(asks.Client().State(), SdoClientState::kAborted);
+        EXPECT_EQ(static_cast<std::uint32_t>(Outcome()), 0x08000022U);
+        CarryFurther();
+    }
+}
+
 class SdoServerPortTest : public SdoClientRig
 {
   public:
