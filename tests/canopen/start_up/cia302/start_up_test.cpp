@@ -96,6 +96,7 @@ TEST_F(StartUpCia302Test, AStartOfAllLeavesOutWhoIsRefused)
 
 TEST_F(StartUpCia302Test, OneStartForAllIfAllAreBooted)
 {
+    Verifies(req::SRS_BOOT_014);
     Verifies(req::SRS_BOOT_015);
     setup.start_up = kIsMaster | kStartAllAtOnce;
     Add(5U, kMust);
@@ -115,6 +116,7 @@ TEST_F(StartUpCia302Test, OneStartForAllIfAllAreBooted)
 
 TEST_F(StartUpCia302Test, StartOfAllBecomesSingleStartsIfOneIsNotBooted)
 {
+    Verifies(req::SRS_BOOT_014);
     Verifies(req::SRS_BOOT_015);
     setup.start_up = kIsMaster | kStartAllAtOnce;
     Add(5U, kMust);
