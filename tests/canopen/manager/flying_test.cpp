@@ -152,6 +152,25 @@ TEST_F(ManagerFlying, ValuesThatCannotWorkAreToldOnceAndMayBeCorrected)
     EXPECT_EQ(Log(), Lines{"2501 073"});
 }
 
+// t [ms]  0             501  601                  1102 = 602 + 500  1202  1300: 82 05 of somebody else  1801 = 1301 +
+// 500
+//         INITIALISING  073  82 00, INITIALISING  073               072   INITIALISING                  073
+TEST_F(ManagerFlying, AManagerBeginsTheNegotiationInTheCycleBehindEachReset)
+{
+    Verifies(req::SRS_FLY_027);
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(600U);
+    EXPECT_EQ(Log(), (Lines{"0 initialising", "501 073"}));
+    // When nobody answers, then its own reset of all is one, too
+    RunTo(1300U);
+    EXPECT_EQ(Log(), (Lines{"601 000 82 00", "event 3 0/0", "601 initialising", "1102 073", "1202 072"}));
+    // When somebody else commands one, then it begins anew with the next cycle
+    Hear(0U, {0x82U, 0x05U});
+    RunTo(1801U);
+    EXPECT_EQ(Log(), (Lines{"1300 initialising", "1801 073"}));
+}
+
 TEST_F(ManagerFlying, WithoutAFlyingMasterThereIsNoNegotiation)
 {
     Verifies(req::SRS_FLY_027);

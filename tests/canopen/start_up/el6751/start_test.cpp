@@ -196,6 +196,37 @@ TEST_F(El6751StartTest, NoStartOfAllWhileASafetySlaveIsAssigned)
     EXPECT_EQ(Nmt().size(), 3U);
 }
 
+TEST_F(El6751StartTest, NodeState8FromTheFirstRowToTheStartAnd0OnlyWithoutAnError)
+{
+    Verifies(req::SRS_ELM_050);
+    // Given a slave whose last SDO is not answered
+    AddBox(5U);
+    Tx(5U, MakePdo(1U, 0x185U, 255U, 2U, 0U, 0U));
+    User(5U, 0x2000U, 0U, {1U});
+    slaves[5]->Behave(0x2000U, 0U, Manner::kSilent);
+    Begin();
+    // Then it has NodeState 8 in each cycle from the first row on
+    for (int cycle = 0; cycle < 200; ++cycle)
+    {
+        Run(1U);
+        ASSERT_EQ(Code(5U), 8) << cycle;
+    }
+    // When that SDO is answered, then it is started, and 0 comes with its TxPDO
+    const Octets answer{0x60U, 0x00U, 0x20U, 0x00U, 0U, 0U, 0U, 0U};
+    Put(0x585U, answer);
+    Run(20U);
+    EXPECT_EQ(Nmt()[1].substr(Nmt()[1].find(':') + 1U), "01 05");
+    EXPECT_EQ(Code(5U), 23);
+    Put(0x185U, {1U, 2U});
+    Run(1U);
+    EXPECT_EQ(Code(5U), 0);
+    EXPECT_EQ(told[5], (Log{"8", "23", "0"}));
+    // When it has an error behind that, a TxPDO that is too short, then it is not 0 though it is started
+    Put(0x185U, {1U});
+    Run(1U);
+    EXPECT_EQ(Code(5U), 20);
+}
+
 TEST_F(El6751StartTest, NodeState23UntilEveryTxPdoCame)
 {
     Verifies(req::SRS_ELM_028);
