@@ -459,16 +459,25 @@ TEST_F(OneReading, AGranularityOrACycleThatIsNoneEndsNoCommand)
     EXPECT_NE((signing.out + signing.err).find(file + ": warning: check finds errors: 2, expected none\n"),
               std::string::npos)
         << signing.out << signing.err; // And 13FEh, which is A5h.
-    // Given a cycle time of 0, then simulate names it
+    // Given a cycle time of 0, or a tolerance above the cycle time, then simulate names it with its place
     const std::string cycle =
         File("c0.dcf", cia306::test::WithValues(ExampleText("sensor"), {{"5F00sub1", "ParameterValue", "0"},
                                                                         {"5F00sub2", "ParameterValue", "0"}}));
     const Answer simulated =
         RunCommand({"simulate", File("s.yaml", "title: x\nduration: 1 s\nnodes: {1: {dcf: c0.dcf}}\n")});
     EXPECT_EQ(simulated.status, 2);
-    EXPECT_NE(simulated.err.find("error: 0x5F00:01: cycle time 0 us, expected 100 us to 1000000 us\n"),
+    EXPECT_NE(simulated.err.find("c0.dcf:417:16: error: 0x5F00:01: cycle time 0 us, expected 100 us to 1000000 us\n"),
               std::string::npos)
         << simulated.err;
+    static_cast<void>(
+        File("c1.dcf", cia306::test::WithValues(ExampleText("sensor"), {{"5F00sub2", "ParameterValue", "1001"}})));
+    const Answer tolerant =
+        RunCommand({"simulate", File("t.yaml", "title: x\nduration: 1 s\nnodes: {1: {dcf: c1.dcf}}\n")});
+    EXPECT_EQ(tolerant.status, 2);
+    EXPECT_NE(tolerant.err.find("c1.dcf:426:16: error: 0x5F00:02: cycle tolerance of 1001 us, expected at most the "
+                                "cycle time of 1000 us\n"),
+              std::string::npos)
+        << tolerant.err;
     // and who builds the device for node
     EXPECT_FALSE(runtime::TryDevice(cia306::ReadDeviceFile(cycle), std::nullopt).empty());
 }

@@ -7,6 +7,8 @@
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <ctime>
 #include <filesystem>
 #include <poll.h>
 #include <sys/resource.h>
@@ -45,6 +47,12 @@ class ManagerSocketTest : public cia306::test::FolderTest
     static std::string Echo(const std::string& line)
     {
         return line + "!";
+    }
+    static void SleepNs(const std::uint64_t ns)
+    {
+        constexpr std::uint64_t kSecond = 1'000'000'000U;
+        const timespec time{static_cast<time_t>(ns / kSecond), static_cast<long>(ns % kSecond)};
+        EXPECT_EQ(::clock_nanosleep(CLOCK_MONOTONIC, 0, &time, nullptr), 0);
     }
 };
 
@@ -278,6 +286,42 @@ TEST_F(ManagerSocketTest, WhoTakesNothingOfAnAnswerIsCutInTime)
 }
 
 // Given a client that says that nothing more comes, then its long answer still does, and then the end.
+// The clock of this test stands still but for SleepNs.
+TEST_F(ManagerSocketTest, WhoTakesSomethingHasTwoSecondsAnew)
+{
+    Verifies(req::SRS_MGR_160);
+    const auto much = [](const std::string& line) { return std::string(3000000U, line[0]); };
+    runtime::ManagerSocket socket(Path("m.sock"));
+    const host::LiveFile client = Connect(Path("m.sock"));
+    const auto is_served = [&socket]
+    {
+        std::vector<pollfd> places;
+        socket.AddTo(places);
+        return places.size() == 2U;
+    };
+    Say(client, "1\n");
+    socket.Serve(much);
+    // Given a client that takes nothing for a nanosecond less than two seconds, twice, and something in between
+    for (int round = 0; round < 2; ++round)
+    {
+        SleepNs(1'999'999'999U);
+        socket.Serve(much);
+        EXPECT_TRUE(is_served()) << round;
+        for (int reading = 0; reading < 2000; ++reading)
+        {
+            EXPECT_NE(Receive(client), "cut");
+        }
+        socket.Serve(much);
+    }
+    // When it takes nothing for two seconds, then it is cut off
+    SleepNs(1'999'999'999U);
+    socket.Serve(much);
+    EXPECT_TRUE(is_served());
+    SleepNs(1U);
+    socket.Serve(much);
+    EXPECT_FALSE(is_served());
+}
+
 TEST_F(ManagerSocketTest, WhoHasSentAllGetsItsAnswerToTheEnd)
 {
     Verifies(req::SRS_MGR_160);

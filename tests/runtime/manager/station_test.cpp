@@ -442,7 +442,9 @@ TEST_F(ManagerStationTest, DeviceTypeAndNamesOfItsOwnDcf)
     std::string dcf = cia306::test::Changed(
         ExampleText("controller"),
         {{"NodeID=2\n", "NodeID=127\n"},
-         {"DefaultValue=0x00000000\nPDOMapping=0\n\n[1001]", "DefaultValue=0x00000191\nPDOMapping=0\n\n[1001]"}});
+         {"DefaultValue=0x00000000\nPDOMapping=0\n\n[1001]", "DefaultValue=0x00000191\nPDOMapping=0\n\n[1001]"},
+         {"=Vendor-ID\nObjectType=0x7\nDataType=0x0007\nAccessType=ro\nDefaultValue=0x00000000",
+          "=Vendor-ID\nObjectType=0x7\nDataType=0x0007\nAccessType=ro\nDefaultValue=0x00000123"}});
     for (const auto& [section, name] :
          {std::pair("1008", "Control cabinet"), {"1009", "Rev. 3"}, {"100A", "Release 12"}})
     {
@@ -461,6 +463,8 @@ TEST_F(ManagerStationTest, DeviceTypeAndNamesOfItsOwnDcf)
     EXPECT_EQ(text(0x1008U), "Control cabinet");
     EXPECT_EQ(text(0x1009U), "Rev. 3");
     EXPECT_EQ(text(0x100AU), "Release 12");
+    EXPECT_EQ(Read(0x1018U, 1U), 0x123U);
+    EXPECT_EQ(Read(0x1018U, 4U), 2U);
 }
 
 TEST_F(ManagerStationTest, IdentityAndNetworkOfItsOwnDcf)

@@ -148,5 +148,42 @@ TEST_F(FurtherObjectsTest, SubIndicesAreThoseOfTheFile)
     EXPECT_EQ(Read(bench, {0x1011U, 5U}), 0U);
     EXPECT_EQ(bench.Download(0x1011U, 5U, 0x64616F6CU, 4U), 0x08000020U);
 }
+TEST_F(FurtherObjectsTest, SubIndicesOfTheLastObjectsAreThoseOfTheFile)
+{
+    Verifies(req::SRS_NODE_038);
+    // Given the last object of servers, clients, RPDOs and TPDOs, one of them with a sub-index that nobody writes
+    Bench bench(File(
+        "node.dcf",
+        kHead + Record("127F") + Element("127Fsub0", "5", "ro", "") + Element("127Fsub1", "7", "rw", "0x80000000") +
+            Element("127Fsub2", "7", "rw", "0x80000000") + Record("12FF") + Element("12FFsub0", "5", "rw", "2") +
+            Element("12FFsub1", "7", "rw", "0x80000000") + Element("12FFsub2", "7", "rw", "0x80000000") +
+            Record("15FF") + Element("15FFsub0", "5", "const", "2") + Element("15FFsub1", "7", "rw", "0x80000206") +
+            Element("15FFsub2", "5", "rw", "254") + Record("19FF") + Element("19FFsub0", "5", "rw", "5") +
+            Element("19FFsub1", "7", "rw", "0xC0000186") + Element("19FFsub2", "5", "rw", "254") +
+            Element("19FFsub4", "5", "ro", "4") + Element("19FFsub5", "6", "rw", "0")));
+    const std::vector<std::pair<ObjectAddress, std::uint32_t>> present{
+        {{0x127FU, 0U}, 2U}, {{0x12FFU, 0U}, 2U}, {{0x15FFU, 0U}, 2U},  {{0x15FFU, 2U}, 254U},
+        {{0x19FFU, 0U}, 5U}, {{0x19FFU, 4U}, 4U}, {{0x19FFU, 2U}, 254U}};
+    for (const auto& [object, value] : present)
+    {
+        EXPECT_EQ(Read(bench, object), value) << std::hex << object.index;
+    }
+    for (const ObjectAddress& object : {ObjectAddress{0x127FU, 3U}, ObjectAddress{0x12FFU, 3U},
+                                        ObjectAddress{0x15FFU, 3U}, ObjectAddress{0x19FFU, 3U}})
+    {
+        EXPECT_EQ(Read(bench, object), 0x06090011U) << std::hex << object.index;
+        EXPECT_EQ(bench.Download(object.index, object.sub, 0U, 1U), 0x06090011U) << std::hex << object.index;
+    }
+    // Then its access is kept as well, and sub-index 0 takes its own value alone
+    EXPECT_EQ(bench.Download(0x19FFU, 4U, 4U, 1U), 0x06010002U);
+    for (const std::uint16_t index : {std::uint16_t{0x12FFU}, std::uint16_t{0x19FFU}})
+    {
+        const std::uint32_t own = (index == 0x12FFU) ? 2U : 5U;
+        EXPECT_EQ(bench.Download(index, 0U, own, 1U), 0U) << std::hex << index;
+        EXPECT_EQ(bench.Download(index, 0U, own + 1U, 1U), 0x06010002U) << std::hex << index;
+        EXPECT_EQ(bench.Download(index, 0U, own - 1U, 1U), 0x06010002U) << std::hex << index;
+    }
+}
+
 } // namespace
 } // namespace counterpoint::tools::test
