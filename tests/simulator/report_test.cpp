@@ -64,6 +64,62 @@ TEST(Reports, TimeLineShowsWhoSawWhat)
     }
 }
 
+/// What the lines of this place tell behind `about`, in their order.
+std::vector<std::string> ToldOf(const std::string& text, const std::string& place, const std::string& about)
+{
+    std::vector<std::string> told;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+    {
+        const std::size_t at = line.find(about);
+        if (line.find(" ms  " + place + " ") != std::string::npos && at != std::string::npos)
+        {
+            told.push_back(line.substr(at + about.size()));
+        }
+    }
+    return told;
+}
+
+TEST(Reports, TimeLineIsInOrderOfTimeAndShowsEachChange)
+{
+    Verifies(req::SRS_SIM_040);
+    using Told = std::vector<std::string>;
+    // Given a frame that the actuator loses, and later a channel of the sensor that stands still
+    const auto run = RunChain(R"(
+faults:
+  - {fault: loss, name: lost, frames: {identifier: 0x104, receiver: actuator, from: 500 ms, count: 1}}
+  - {fault: frozen, name: frozen, node: sensor, part: channel_a, at: 700 ms}
+)",
+                              true);
+    const std::string text = TimeLineOf(*run);
+    // Then no line is of an earlier time than the one before it, frames of the bus among them
+    std::istringstream lines(text);
+    double last_ms = 0.0;
+    std::size_t count = 0U;
+    for (std::string line; std::getline(lines, line);)
+    {
+        const std::size_t unit = line.find(" ms  ");
+        const double at_ms = (unit == 12U) ? std::stod(line.substr(0U, unit)) : last_ms;
+        EXPECT_GE(at_ms, last_ms) << line;
+        last_ms = at_ms;
+        count += (unit == 12U) ? 1U : 0U;
+    }
+    EXPECT_GT(count, 150U);
+    // And each change is there: views of both channels, verdicts, permits, outputs, faults, causes, device faults
+    EXPECT_EQ(ToldOf(text, "actuator", "channel A: "), (Told{"off", "waiting", "released", "faulted"}));
+    EXPECT_EQ(ToldOf(text, "actuator", "channel B: "), (Told{"off", "waiting", "released", "faulted"}));
+    EXPECT_EQ(ToldOf(text, "actuator", "comparator: agreed "),
+              (Told{"SRDO none, matched 1", "SRDO 1, matched 1", "SRDO none, matched 1"}));
+    EXPECT_EQ(ToldOf(text, "actuator", "three permits for SRDO "), (Told{"1", "none"}));
+    EXPECT_EQ(ToldOf(text, "actuator", "OUTPUT "), (Told{"RELEASED", "SAFE"}));
+    EXPECT_EQ(ToldOf(text, "actuator", "FAULT: "), Told{"lost"});
+    EXPECT_EQ(ToldOf(text, "sensor", "FAULT: "), Told{"frozen"});
+    EXPECT_EQ(ToldOf(text, "actuator", "channel A reports "), Told{"srvt"});
+    EXPECT_EQ(ToldOf(text, "actuator", "channel B reports "), Told{"srvt"});
+    EXPECT_EQ(ToldOf(text, "sensor", "DEVICE SAFE STATE: "), Told{"disagreement"});
+    EXPECT_EQ(ToldOf(text, "actuator", "DEVICE SAFE STATE: "), Told{});
+}
+
 TEST(Reports, VerdictTellsEachCauseThatWasSeen)
 {
     Verifies(req::SRS_SIM_030);
