@@ -82,8 +82,9 @@ class TwoFolders(unittest.TestCase):
         root = committed(self.one)
         release(root)
         commit = git(root, "rev-parse", "HEAD")[:12]
+        top = f"counterpoint-1.2.3-{commit}"
+        self.assertEqual(archive_of(root).name, f"{top}.tar.gz")
         with tarfile.open(archive_of(root)) as archive:
-            top = f"counterpoint-1.2.3-{commit}"
             texts = {member.name.removeprefix(f"{top}/"): archive.extractfile(member).read() for member in archive.getmembers()}
             owners = {(member.uid, member.uname, member.mtime) for member in archive.getmembers()}
         self.assertEqual(sorted(texts), sorted([
@@ -91,6 +92,12 @@ class TwoFolders(unittest.TestCase):
             "install/bin/counterpoint", "install/lib/libchannel_a.a", "source/.gitignore", "source/CHANGELOG.md", "source/CMakeLists.txt", "source/LICENSE",
             "source/dev", "source/requirements.txt"]))
         self.assertEqual(owners, {(0, "", 1767323045)})
+        for name, place in (("source/CHANGELOG.md", "CHANGELOG.md"), ("CHANGELOG.md", "CHANGELOG.md"), ("LICENSE", "LICENSE"), ("source/dev", "dev"),
+                            ("evidence/walk/a_requirement.html", "build/evidence/walk/a_requirement.html"),
+                            ("images/sensor_be32.elf", "build/evidence/data/images/sensor_be32.elf"),
+                            ("install/bin/counterpoint", "build/evidence/data/package/bin/counterpoint"),
+                            ("bill.spdx.json", f"build/evidence/data/{bill.NAME}")):
+            self.assertEqual(texts[name], (root / place).read_bytes(), name)
         sums = dict(reversed(line.split("  ")) for line in texts.pop("SHA256SUMS").decode().splitlines())
         self.assertEqual(sums, {name: hashlib.sha256(text).hexdigest() for name, text in texts.items()})
         told = {entry["fileName"]: entry["checksums"][1]["checksumValue"] for entry in json.loads(texts["bill.spdx.json"])["files"]}
