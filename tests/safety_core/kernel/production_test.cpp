@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/safety_core/kernel/rig.hpp"
 #include "verification/trace/ids/channel.hpp"
+#include "verification/trace/ids/crosslink.hpp"
 #include "verification/trace/ids/kernel.hpp"
 
 #include <functional>
@@ -350,6 +351,7 @@ class ProductionInverse : public Production, public ::testing::WithParamInterfac
 TEST_P(ProductionInverse, UnequalInverseFramesAreADisagreementAndNothingLeaves)
 {
     Verifies(req::SRS_KRN_214);
+    Verifies(req::SRS_TWO_019); // Channel A of this kernel is the remote voice on CPU B.
     for (Tap* const tap : {&a, &b})
     {
         ports.sent.clear();
