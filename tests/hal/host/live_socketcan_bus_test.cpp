@@ -187,13 +187,16 @@ TEST_F(SocketCanBus, TakesTheStampOfTheControllerWhereThereIsOne)
     ASSERT_TRUE(bus->Receive(second));
     EXPECT_EQ(first.time_ns - second.time_ns, 3'000'000U);
     EXPECT_LE(first.time_ns, LiveNow());
-    // Then one without a stamp has that of the software: neither 0 nor the distance of before
+    // Then each without a stamp has that of the software: not 0, and not the distance of the one before
     kernel.hardware_ns.reset();
-    const std::uint64_t before_ns = LiveNow();
-    kernel.Arrive(0x3U);
-    ASSERT_TRUE(bus->Receive(first));
-    EXPECT_GE(first.time_ns, before_ns);
-    EXPECT_LE(first.time_ns, LiveNow());
+    for (int frame = 0; frame < 2; ++frame)
+    {
+        const std::uint64_t before_ns = LiveNow();
+        kernel.Arrive(0x3U);
+        ASSERT_TRUE(bus->Receive(first));
+        EXPECT_GE(first.time_ns, before_ns) << frame;
+        EXPECT_LE(first.time_ns, LiveNow()) << frame;
+    }
 }
 
 TEST_F(SocketCanBus, KeepsInOrderWhatTheKernelDoesNotTakeYet)
