@@ -235,6 +235,25 @@ TEST_F(ManagedTest, AKnownPlaceAtWhichNothingIsFoundIsTold)
     }
 }
 
+TEST_F(ManagedTest, AKnownPlaceAtWhichSomethingIsFoundIsNotTold)
+{
+    Verifies(req::SRS_CMG_347);
+    // Given all faults of one stop for a slave with another configuration, of which two are silent, and their place
+    const std::string plan = File(
+        "plan.yaml", "title: A test\nnetwork: " COUNTERPOINT_SOURCE_FOLDER "/examples/campaigns/wrong.yaml\n"
+                     "from: 304950 us\nuntil: 305050 us\nparts: [nmt]\nkinds: [lost]\ndetectors: [status]\n"
+                     "known: [{place: \"nmt lost 000#0221 at 305.000 ms, all of its identifier\", reason: why}]\n");
+    const tools::test::Answer answer = Campaign({plan, "--json", Path("report.json")});
+    // Then the campaign holds: that place is needed, and the teller that is named told something
+    EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
+    EXPECT_EQ(answer.out.find("\nstale: "), std::string::npos) << answer.out;
+    EXPECT_EQ(answer.out.find("\nidle: "), std::string::npos) << answer.out;
+    const auto report = nlohmann::json::parse(cia306::ReadTextFile(Path("report.json")));
+    EXPECT_EQ(report.at("strata").at(0).at("injected"), 24U);
+    EXPECT_EQ(report.at("strata").at(0).at("silent"), 2U);
+    EXPECT_EQ(report.at("holds"), true);
+}
+
 TEST_F(ManagedTest, OneExperimentIsToldStepByStep)
 {
     Verifies(req::SRS_CMG_076);
