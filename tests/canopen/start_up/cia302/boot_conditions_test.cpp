@@ -183,44 +183,6 @@ TEST_F(BootConditionsTest, WithBit3Of1F80hTheSlaveIsBootedAndNotStarted)
     EXPECT_EQ(slaves[5]->State(), cia301::NodeState::kPreOperational);
 }
 
-TEST_F(BootConditionsTest, WhoIsListedWithBit0Or2AloneIsNotStarted)
-{
-    Verifies(req::SRS_BOOT_014);
-    // Given 5 with bit 0 of 1F81h, 6 with bit 2, and 7 with both, all as expected
-    Add(5U, 0x01U);
-    Add(6U, 0x04U);
-    Add(7U, 0x05U);
-    Begin();
-    Run(1000U);
-    EXPECT_EQ(Letter(5U) + Letter(7U), "--");
-    EXPECT_EQ(Sum("01 05") + Sum("01 06") + Sum("01 00"), 0);
-    EXPECT_EQ(Sum("01 07"), 1);
-    EXPECT_EQ(slaves[5]->State(), cia301::NodeState::kPreOperational);
-    EXPECT_EQ(slaves[6]->State(), cia301::NodeState::kPreOperational);
-}
-
-TEST_F(BootConditionsTest, WithBit1TheSlaveIsStartedByItselfOnlyWhereTheMasterRuns)
-{
-    Verifies(req::SRS_BOOT_014);
-    // Given a start of all at once, for which the master waits for an order, and a slave that boots late
-    setup.start_up = kIsMaster | kStartAllAtOnce | kApplicationStartsSelf;
-    Add(5U, kMust);
-    Add(6U, kBoot).boot_ms = 2000U;
-    Begin();
-    Run(1000U);
-    EXPECT_EQ(Letter(5U), "-");
-    EXPECT_EQ(Step(), MasterStep::kReady);
-    EXPECT_EQ(Sum("01 05") + Sum("01 00"), 0);
-    // When the master runs, then who boots behind that is started by itself
-    EXPECT_EQ(start_up.Command(NmtCommand::kStart, NodeId{127U}, Now()), NmtAnswer::kTaken);
-    Run(500U);
-    EXPECT_EQ(Step(), MasterStep::kOperational);
-    EXPECT_EQ(Sum("01 06"), 0);
-    Run(1000U);
-    EXPECT_EQ(Sum("01 06"), 1);
-    EXPECT_EQ(slaves[6]->State(), cia301::NodeState::kOperational);
-}
-
 TEST_F(BootConditionsTest, A_NodeThatIsNotListedAndShowsOnlyAHeartbeatAndNeverThisDeviceItself)
 {
     Verifies(req::SRS_BOOT_003);
