@@ -89,7 +89,8 @@ Limits LimitsOf(const runtime::DeviceModel& model, const DeviceConfig& config)
     limits.us[static_cast<std::size_t>(Part::kChannelA)] = of_channel;
     limits.us[static_cast<std::size_t>(Part::kChannelB)] = of_channel;
     limits.us[static_cast<std::size_t>(Part::kVariables)] = of_channel;
-    limits.us[static_cast<std::size_t>(Part::kLatch)] = LongestOf(model, config, {FaultClass::kChannel}); // F-L01: cycle.
+    limits.us[static_cast<std::size_t>(Part::kLatch)] =
+        LongestOf(model, config, {FaultClass::kChannel}); // F-L01: cycle.
     limits.us[static_cast<std::size_t>(Part::kTables)] = LongestOf(model, config, {FaultClass::kSharedSource});
     const std::uint32_t of_bus = LongestOf(model, config, {FaultClass::kBus, FaultClass::kBusNextNormal});
     const std::uint32_t of_steps =

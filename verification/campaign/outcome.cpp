@@ -26,7 +26,7 @@ constexpr std::array<const char*, 7U> kWrongWords{"",
                                                   "valid pair sent with data that nobody wrote",
                                                   "valid pair sent with old data"};
 constexpr std::uint8_t kMarks = kMarkLate | kMarkSaidByA | kMarkSaidByB | kMarkLatent;
-constexpr std::uint8_t kMarksOfExposed = kMarks | kMarkOldPair;
+constexpr std::uint8_t kMarksOfExposed = kMarks | kMarkOldPair; // [SRS_CMG_820]
 
 /// Detectors whose detail is a device fault.
 bool IsOfDevice(const Outcome& outcome)
@@ -84,9 +84,9 @@ Strange StrangeIn(const Outcome& outcome)
     }
     const bool is_exposed = outcome.result == Class::kExposed;
     const std::uint8_t marks = is_exposed ? kMarksOfExposed : kMarks;
-    return ((outcome.marks & ~marks) != 0)
-               ? Strange{"marks " + std::to_string(outcome.marks), is_exposed ? "bits 0 to 4 alone" : "bits 0 to 3 alone"}
-               : StrangeReason(outcome);
+    return ((outcome.marks & ~marks) != 0) ? Strange{"marks " + std::to_string(outcome.marks),
+                                                     is_exposed ? "bits 0 to 4 alone" : "bits 0 to 3 alone"}
+                                           : StrangeReason(outcome);
 }
 
 Detector DetectorOf(const DeviceFault fault)

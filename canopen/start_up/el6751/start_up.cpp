@@ -29,6 +29,23 @@ constexpr ControlRow kControlRows[]{
     {kAdsRun, 2U, SlaveState::kStopped, NmtCommand::kPreOperational},
 };
 
+/// Whether all run, and were started singly.
+bool DoAllRun(const NetworkSetup& setup, const El6751Slaves& slaves) noexcept
+{
+    bool do_all = true;
+    std::uint8_t count = 0U;
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        const NodeId node{id};
+        if (setup.IsListed(node))
+        {
+            ++count;
+            do_all = do_all && slaves.SetupOf(node).is_started && (slaves.Of(node).phase == El6751Phase::kRunning);
+        }
+    }
+    return do_all && (count > 0U);
+}
+
 } // namespace
 
 El6751StartUp::El6751StartUp(const El6751Parts& parts) noexcept
@@ -155,27 +172,10 @@ void El6751StartUp::OnCycle(const Instant now) noexcept
     TellMaster(now);
 }
 
-/// Whether all run, and were started singly.
-bool El6751StartUp::DoAllRun() const noexcept
-{
-    bool do_all = true;
-    std::uint8_t slaves = 0U;
-    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-    {
-        const NodeId node{id};
-        if (parts_.setup.IsListed(node))
-        {
-            ++slaves;
-            do_all = do_all && slaves_.SetupOf(node).is_started && (slaves_.Of(node).phase == El6751Phase::kRunning);
-        }
-    }
-    return do_all && (slaves > 0U);
-}
-
 /// One that waits is given up when a slave runs no more: it would start what is set up just now. [SRS_ELM_820]
 void El6751StartUp::GiveUpStartOfAll() noexcept
 {
-    if (parts_.nmt.HasStart(kAllNodes) && !DoAllRun())
+    if (parts_.nmt.HasStart(kAllNodes) && !DoAllRun(parts_.setup, slaves_))
     {
         parts_.nmt.DropStarts(kAllNodes);
         has_started_all_ = false;
@@ -188,7 +188,7 @@ void El6751StartUp::StartAll(const Instant now) noexcept
 {
     const NodeId whom = parts_.setup.HasSafetySlave() ? parts_.setup.own : kAllNodes;
     GiveUpStartOfAll();
-    if (!has_started_all_ && DoAllRun())
+    if (!has_started_all_ && DoAllRun(parts_.setup, slaves_))
     {
         has_started_all_ = (parts_.nmt.Request(NmtCommand::kStart, whom, now) == NmtAnswer::kTaken);
     }

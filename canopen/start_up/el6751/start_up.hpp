@@ -71,7 +71,6 @@ class El6751StartUp final : public StartUp
     void TellMaster(Instant now) noexcept;
     void BeginAll(Instant now) noexcept;
     void SendReset(Instant now) noexcept;
-    [[nodiscard]] bool DoAllRun() const noexcept;
     void GiveUpStartOfAll() noexcept;
     void StartAll(Instant now) noexcept;
     void OnRestartOfSlave(NodeId node, Instant now) noexcept;
