@@ -249,16 +249,16 @@ TEST_F(ResultsTest, WhereNothingWasFoundNoTimeIsTold)
     const Summary summary = Summarise(session.Parts(), results);
     // Then the tables have no times, and the limit
     const std::string text = TextReport(session.Parts(), summary);
-    EXPECT_NE(text.find("latch         flip                    -          -          -   1008.000          0\n"),
+    EXPECT_NE(text.find("latch         flip                    -          -          -      8.000          0\n"),
               std::string::npos)
         << text;
     EXPECT_NE(HtmlReport(session.Parts(), summary)
-                  .find("<td>flip</td><td>0</td><td>-</td><td>-</td><td>-</td><td>1008.000</td><td>0</td>"),
+                  .find("<td>flip</td><td>0</td><td>-</td><td>-</td><td>-</td><td>8.000</td><td>0</td>"),
               std::string::npos);
     // A time of 0 is one that was found at once
     results.Put(5U, Outcome{Class::kDetected, Detector::kLatch, 0U, 0U, 0U});
     const std::string found = TextReport(session.Parts(), Summarise(session.Parts(), results));
-    EXPECT_NE(found.find("latch         flip                0.000      0.000      0.000   1008.000          0\n"),
+    EXPECT_NE(found.find("latch         flip                0.000      0.000      0.000      8.000          0\n"),
               std::string::npos)
         << found;
 }
@@ -384,8 +384,8 @@ TEST_F(ResultsTest, EachClassIsCountedAndTheBoundIsOfThoseThatHadAnEffect)
                                      {"median_us", 2000U},
                                      {"p999_us", 3000U},
                                      {"worst_us", 3000U},
-                                     {"limit_us", 1008000U},
-                                     {"least_limit_us", 1008000U}})
+                                     {"limit_us", 8000U},
+                                     {"least_limit_us", 8000U}})
     {
         EXPECT_EQ(stratum.at(key), count) << key;
     }
@@ -395,7 +395,7 @@ TEST_F(ResultsTest, EachClassIsCountedAndTheBoundIsOfThoseThatHadAnEffect)
     for (const char* const row :
          {"latch         flip                    8          1          1          5          2          1          1"
           "          1          1  77.7928 %\n",
-          "latch         flip                2.000      3.000      3.000   1008.000          0\n",
+          "latch         flip                2.000      3.000      3.000      8.000          0\n",
           "found first by: guard 1 latch 1 exception 1\n"})
     {
         EXPECT_NE(text.find(row), std::string::npos) << row << text;

@@ -266,7 +266,8 @@ TEST_F(NodeServicesTest, WithoutANodeIdThereIsOnlyLssAndThenANode)
 TEST_F(NodeServicesTest, TheOptionGivesLssToADeviceWhoseFileHasNone)
 {
     Verifies(req::SRS_NODE_015);
-    const std::vector<std::string> without{"--dcf", kPlain, "--cycle-us", std::to_string(kCycleUs)};
+    const std::string file = File("option_lss.dcf", TextOf(kPlain));
+    const std::vector<std::string> without{"--dcf", file, "--cycle-us", std::to_string(kCycleUs)};
     std::vector<std::string> with = without;
     with.emplace_back("--lss");
     for (const std::vector<std::string>& words : {without, with})
