@@ -160,7 +160,7 @@ void PlcRelease::OnStartDropped(const NodeId node, const Instant now) noexcept
     {
         PlcNode& slave = slaves_.Of(NodeId{id});
         const bool is_meant = (node.value == kAllNodes.value) || (node.value == id);
-        if (is_meant && slave.is_requested && (slave.status.code == kPlcConfigured))
+        if (is_meant && slave.is_requested) // Not for a reset: who is reset has no start that waits. [SRS_PLC_820]
         {
             Want(NodeId{id});
             slave.is_requested = false;
