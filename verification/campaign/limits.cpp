@@ -91,6 +91,7 @@ Limits LimitsOf(const runtime::DeviceModel& model, const DeviceConfig& config)
     limits.us[static_cast<std::size_t>(Part::kVariables)] = of_channel;
     limits.us[static_cast<std::size_t>(Part::kLatch)] =
         LongestOf(model, config, {FaultClass::kChannel}); // F-L01: cycle.
+    limits.stuck_latch_us = of_kernel;
     limits.us[static_cast<std::size_t>(Part::kTables)] = LongestOf(model, config, {FaultClass::kSharedSource});
     const std::uint32_t of_bus = LongestOf(model, config, {FaultClass::kBus, FaultClass::kBusNextNormal});
     const std::uint32_t of_steps =
@@ -119,6 +120,7 @@ Limits LimitsOf(const runtime::DeviceModel& model, const DeviceConfig& config, c
     {
         limits.us[part] = std::max(limits.us[part], of_link);
     }
+    limits.stuck_latch_us = std::max(limits.stuck_latch_us, of_link);
     for (const Part part : {Part::kChannelA, Part::kChannelB, Part::kTables})
     {
         limits.us[static_cast<std::size_t>(part)] = std::max(of_copy, of_link);

@@ -32,6 +32,7 @@ struct Limits
     std::uint32_t wrong_frame_us{0U};   ///< Of a frame that is wrong in itself.
     std::uint32_t wrong_channel_us{0U}; ///< Of one channel.
     std::uint32_t drift_us{0U};         ///< Of the clock of one CPU of two.
+    std::uint32_t stuck_latch_us{0U};   ///< Of a bit that sticks at what it is: the test of RAM finds it.
     std::vector<BusLimit> bus{};        ///< Of each SRDO by itself; none: of all the longest.
 
     /// @brief By part and kind. [SRS_CMG_020]
@@ -40,6 +41,10 @@ struct Limits
         if (part == Part::kCpu && kind != FaultKind::kStopped)
         {
             return drift_us;
+        }
+        if (part == Part::kLatch && IsStuck(kind))
+        {
+            return stuck_latch_us;
         }
         const bool is_wrong = part == Part::kBus && kind == FaultKind::kWrongLength;
         return is_wrong ? wrong_frame_us : us.at(static_cast<std::size_t>(part));

@@ -234,6 +234,24 @@ TEST_F(ResultsTest, KnownPlaceIsAMemberAByteOrABitOfItAndNoPartOfAName)
     EXPECT_FALSE(holds("comparator"));
 }
 
+TEST_F(ResultsTest, BitOfTheLatchThatSticksHasTheLimitOfTheTestOfMemory)
+{
+    Verifies(req::SRS_CMG_007);
+    // Given a campaign of the latch of a device with a cycle of 1 ms and a diagnostic interval of 1 s
+    const Session session(PlanFile("plan.yaml", "actuator",
+                                   "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\n"
+                                   "kinds: [flip, stuck_at_0, stuck_at_1, intermittent]\n"));
+    const Limits& limits = session.Parts().limits;
+    // Then a bit that changes is judged by that of a wrong channel: seen in its cycle
+    EXPECT_EQ(limits.Of(Part::kLatch, FaultKind::kFlip), 8000U);
+    EXPECT_EQ(limits.Of(Part::kLatch, FaultKind::kIntermittent), 8000U);
+    // And one that sticks, maybe at what it is, by that of the memory test
+    EXPECT_EQ(limits.Of(Part::kLatch, FaultKind::kStuckAt0), 1008000U);
+    EXPECT_EQ(limits.Of(Part::kLatch, FaultKind::kStuckAt1), 1008000U);
+    // And other parts have one limit for all kinds
+    EXPECT_EQ(limits.Of(Part::kComparator, FaultKind::kFlip), limits.Of(Part::kComparator, FaultKind::kStuckAt0));
+}
+
 TEST_F(ResultsTest, WhereNothingWasFoundNoTimeIsTold)
 {
     Verifies(req::SRS_CMG_010);
