@@ -77,13 +77,18 @@ def lines_of(*command):
     return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True).stdout.splitlines()
 
 
+def check_order(content):
+    """Of the bytes of the file; nothing else can be read of one in another order."""
+    yield content[:6] == b"\x7fELF\x01\x02", "ELF order", "32 bit, big-endian" if content[:6] == b"\x7fELF\x01\x02" else content[:6].hex()
+
+
 class Elf:
     """Header, sections and symbols of a 32-bit big-endian ELF file."""
 
     def __init__(self, path):
         self.path = path
         self.bytes = path.read_bytes()
-        if self.bytes[:6] != b"\x7fELF\x01\x02":
+        if not all(holds for holds, _, _ in check_order(self.bytes)):
             raise BadInput(f"{path}: not a 32-bit big-endian ELF file")
         fields = struct.unpack_from(">HHIIIIIHHHHHH", self.bytes, 16)
         self.type, self.machine, self.entry, self.flags = fields[0], fields[1], fields[3], fields[6]
@@ -262,7 +267,7 @@ def check(path, other=None):
     if missing:
         raise BadInput(f"{path}: no symbol {missing[0]}, expected an image linked by hal/tms570/start/tms570.ld")
     rows = []
-    for part in (check_header(elf), check_vectors(elf), check_placement(elf), check_regions(elf), check_reset(elf.code()), check_version(elf),
+    for part in (check_order(elf.bytes), check_header(elf), check_vectors(elf), check_placement(elf), check_regions(elf), check_reset(elf.code()), check_version(elf),
                  ram_start.check(elf, elf.symbols.get("pbist_ram_groups", 0)), check_origin(members_of(path), members_of(other) if other else None)):
         rows += part
     return rows

@@ -52,6 +52,8 @@ def moved_function(elf, prefix, address):
 
 
 def header_fixtures(elf):
+    little = elf.bytes[:5] + b"\x01" + elf.bytes[6:]
+    yield "an ELF file in the order of the emulator's host", little, image_check.check_order, "ELF order"
     yield "flags of the emulator (BE8)", changed_field(elf, flags=elf.flags | 0x00800000), image_check.check_header, "ELF flags"
     yield "soft-float flags", changed_field(elf, flags=elf.flags & ~0x400), image_check.check_header, "ELF flags"
     yield "an entry in Thumb state", changed_field(elf, entry=elf.entry | 1), image_check.check_header, "entry is Reset"
@@ -73,6 +75,8 @@ def vector_fixtures(elf):
 def placement_fixtures(elf):
     check, row = image_check.check_placement, "every section"
     load = next(number for number, header in enumerate(elf.program_headers) if header[0] == image_check.PT_LOAD and header[4])
+    for name in (name for name, section in elf.sections.items() if section["flags"] & image_check.SHF_ALLOC and section["size"]):
+        yield f"{name} in neither flash nor RAM", with_section(elf, name, address=0x20000000), check, row
     yield "code behind the flash", with_section(elf, ".text", address=elf.symbols["flash_length"]), check, row
     yield "memory of channel B behind the RAM", with_section(elf, ".channel_b", address=image_check.RAM_ORIGIN + elf.symbols["ram_length"]), check, row
     yield "stack over the memory of the core", with_section(elf, ".stack", address=elf.sections[".core"]["address"]), check, row

@@ -21,6 +21,7 @@ import re
 import subprocess
 import sys
 
+import application_sources
 import byte_order
 import cortex_m_run
 import coverage_run
@@ -210,6 +211,7 @@ def check_images(report):
     count, missed = image_fixtures.check(folder / "own_device_be32.elf")
     report.add(count > 100 and not missed, "an image with one thing wrong is refused by the check that looks for it",
                f"not refused: {'; '.join(missed[:3])}" if missed else f"{count} of {count}", "SRS_FW_016")
+    application_sources.check(report, TARGET, PRODUCT, folder)
     driver_sources.check(report, TARGET, PRODUCT, [folder / f"{device}_be32.elf" for device in firmware_run.DEVICES])
     different = image_check.variant_differences(ROOT)
     report.add(not different, "memory of the variants as in hal/tms570/chip/variant.hpp", ", ".join(different) or "4 variants", "SRS_FW_017")

@@ -7,12 +7,14 @@ A fault is a change of memory or of a register behind the back of the program, o
 the OCM: the processor carries it out in its 40th cycle, the same in each run. What became of the outputs is told by each processor at its
 UART, by its own clock; of one that stands, its watchdog resets the controller, and with it the pins, so long after it was served last.
 """
+import itertools
 import pathlib
 import re
 import struct
 import subprocess
 import tempfile
 
+import image_check
 import zynqmp_machine
 
 IMAGES = ["zynqmp_two_cpu_0", "zynqmp_two_cpu_1", "zynqmp_two_cpu_0_tcm", "zynqmp_two_cpu_1_tcm", "zynqmp_two_cpu_0_parallel",
@@ -158,6 +160,36 @@ def told(seen):
     return " and ".join(f"{(seen.closed(core) or 0) / 1000:.1f}" for core in (0, 1)) + " ms"
 
 
+# What both images have to be linked with, and where alone they may differ from the image of a board: registers that the emulator has not.
+DRIVERS = [f"hal/zynqmp/libhal_zynqmp.a({name}.cpp.obj)" for name in ("board", "can_ports", "canps", "counters", "safety_pins", "system_watchdog")] + \
+    ["hal/tms570/libhal_tms570.a(mpu.cpp.obj)"]
+OTHERWISE = ("hal/zynqmp/silicon/libhal_zynqmp_silicon.a(", "hal/zynqmp/start/libhal_zynqmp_low_vectors.a(")
+
+
+def drivers_of(image):
+    """Objects of hal/ in the image but those that stand for missing hardware."""
+    return {name for name in image_check.members_of(image) if name.startswith("hal/") and not name.startswith(OTHERWISE)}
+
+
+def other_drivers(ours, shipped):
+    """What is wrong with the drivers of an image, beside those of the image for a board."""
+    return [f"without {name}" for name in DRIVERS if name not in ours] + \
+        [f"{name} is in one image only" for name in sorted(ours ^ shipped)]
+
+
+def check_drivers(report, folder):
+    """By the linker's maps: an archive is compiled once, whoever is linked with it."""
+    for core in (0, 1):
+        shipped = drivers_of(folder / f"zynqmp_two_cpu_{core}_tcm.elf")
+        for name, requirement in ((f"zynqmp_two_cpu_{core}", "SRS_ZYN_200"), (f"zynqmp_two_cpu_{core}_parallel", "SRS_ZYN_202")):
+            ours = drivers_of(folder / f"{name}.elf")
+            wrong = other_drivers(ours, shipped)
+            report.add(not wrong, f"{name} is linked with the drivers of the image for a board", "; ".join(wrong[:3]) or f"{len(ours)} objects", requirement)
+    told = [bool(other_drivers(shipped - {name}, shipped - {name})) for name in DRIVERS] + \
+        [bool(other_drivers(shipped | {"hal/host/libhal_host.a(board.cpp.obj)"}, shipped))]
+    report.add(all(told), "a driver that is missing, and one of another folder, are refused", f"{sum(told)} of {len(told)}", "SRS_ZYN_200", "SRS_ZYN_202")
+
+
 def check_quiet(report, folder):
     seen = run(folder)
     problems = undisturbed(seen)
@@ -211,9 +243,9 @@ def check_parallel(report, folder, quiet):
     problems = undisturbed(seen) + in_turns(seen)
     report.add(not problems and bool(in_turns(quiet)), "two CPUs on two processors that run at once: both outputs open, 103h by one controller, 104h by the other",
                "; ".join(problems) or f"{seen.last[0]['own103']} pairs, {seen.last[0]['taken']} and {seen.last[1]['taken']} messages", "SRS_ZYN_202")
-    for core, what, fault in ((0, "stands", stand), (1, "no longer reaches the link", cut)):
+    for core, (what, fault) in itertools.product((0, 1), (("stands", stand), ("no longer reaches the link", cut))):
         seen = run(folder, core, fault, parallel=True)
-        problems = not_closed(seen, "link")
+        problems = not_closed(seen, "link") + in_turns(seen)
         report.add(not problems, f"both at once, processor {core} {what}: both outputs close within {seen.limits[1 - core].get('link', 0) / 1000:.1f} ms",
                    "; ".join(problems) or told(seen), "SRS_ZYN_202")
 
@@ -233,6 +265,7 @@ def check_judge(report, quiet):
 
 
 def check(report, folder):
+    check_drivers(report, folder)
     quiet = check_quiet(report, folder)
     check_judge(report, quiet)
     check_faults(report, folder)
