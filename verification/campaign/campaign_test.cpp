@@ -135,6 +135,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadPlan{"at: [500 ms]\nknown: []\n", ":5:8: error: an empty list, expected at least one"},
         BadPlan{"at: [500 ms]\nknown:\n  - {place: latch, reason: \"\"}\n",
                 ":6:28: error: an empty text, expected who answers for it"},
+        BadPlan{"at: [500 ms]\nknown:\n  - {place: comparator, reason: none}\n",
+                ":6:13: error: part 'comparator' as a known place, expected a member, byte or bit"},
+        BadPlan{"at: [500 ms]\nknown:\n  - {place: both_channels, reason: none}\n",
+                ":6:13: error: part 'both_channels' as a known place"},
+        BadPlan{"at: [500 ms]\nknown:\n  - {place: latch+12, reason: none}\n",
+                ":6:13: error: place 'latch+12' that the device does not have"},
+        BadPlan{"at: [500 ms]\nknown:\n  - {place: latch+11.8, reason: none}\n",
+                ":6:13: error: place 'latch+11.8' that the device does not have"},
+        BadPlan{"at: [500 ms]\nknown:\n  - {place: latchx+1, reason: none}\n",
+                ":6:13: error: place 'latchx+1' that the device does not have"},
         BadPlan{"at: [500 ms]\nsample: 0\n", ":5:9: error: "},
         BadPlan{"at: [500 ms]\ncolour: red\n", ":5:1: error: unknown key"}));
 

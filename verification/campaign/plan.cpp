@@ -223,8 +223,9 @@ void ReadKnown(const YamlMap& map, Plan& plan)
     {
         const YamlMap known(plan.file, item.Node(), {"place", "class", "reason"});
         const YamlValue reason = known.Require("reason");
-        plan.known.push_back({known.Require("place").Text("a member, byte or bit, as comparator.verdict+8.0"),
-                              reason.Text("who answers for it")});
+        const YamlValue place = known.Require("place");
+        plan.known.push_back({place.Text("a member, byte or bit, as comparator.verdict+8.0"),
+                              reason.Text("who answers for it"), std::nullopt, place.Where()});
         if (plan.known.back().reason.empty())
         {
             reason.Refuse("an empty text", "who answers for it");

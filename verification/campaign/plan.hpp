@@ -70,6 +70,7 @@ struct Known
     std::string place; ///< A member, a byte of it or a bit: comparator.verdict+8.0; what is no memory: as it is told.
     std::string reason;
     std::optional<Class> result{}; ///< Of these alone; kDetected: late ones.
+    runtime::Source source{};      ///< Where the place is named.
 };
 
 constexpr runtime::Nanoseconds kUsualReach = 60 * runtime::kNanosecondsPerMillisecond;

@@ -228,10 +228,10 @@ TEST_F(ResultsTest, KnownPlaceIsAMemberAByteOrABitOfItAndNoPartOfAName)
     EXPECT_TRUE(holds("comparator.verdict+8"));
     EXPECT_TRUE(holds("comparator.verdict"));
     EXPECT_FALSE(holds("comparator.verdict+8.4"));
-    EXPECT_FALSE(holds("comparator.verdict+"));
     EXPECT_FALSE(holds("comparator.ver"));
-    // A part is no place: it would answer for all of its members
-    EXPECT_FALSE(holds("comparator"));
+    // A part is no place: it would answer for all of its members; nor is half of a byte's name
+    EXPECT_THROW(holds("comparator"), runtime::YamlError);
+    EXPECT_THROW(holds("comparator.verdict+"), runtime::YamlError);
 }
 
 TEST_F(ResultsTest, BitOfTheLatchThatSticksHasTheLimitOfTheTestOfMemory)

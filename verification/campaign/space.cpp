@@ -156,6 +156,50 @@ void RequireByte(const Device& device, const Member& member)
                                  member.name + "+0 to " + member.name + "+" + std::to_string(found->size - 1U));
     }
 }
+
+/// Whether a place has the form and the range of a bit or byte of a member, or is the member.
+bool IsOfMember(const Place& member, const std::string& place)
+{
+    if (place == member.name)
+    {
+        return true;
+    }
+    for (std::size_t byte = 0U; byte < member.size; ++byte)
+    {
+        const std::string text = member.name + "+" + std::to_string(byte);
+        const bool is_bit = place.size() == text.size() + 2U && place.rfind(text + ".", 0U) == 0U &&
+                            place.back() >= '0' && place.back() <= '7';
+        if (place == text || is_bit)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// What no report can tell would answer for nothing: a part of the memory, a byte or bit that no member has.
+void RequireKnown(const Device& device, const Known& known)
+{
+    const auto& places = device.Places();
+    if (std::any_of(places.begin(), places.end(),
+                    [&known](const Place& member) { return IsOfMember(member, known.place); }))
+    {
+        return;
+    }
+    bool is_part = known.place == WordOf(Part::kBothChannels);
+    for (std::size_t part = 0U; part < kMemoryPartCount; ++part)
+    {
+        is_part = is_part || known.place == WordOf(static_cast<Part>(part));
+    }
+    const bool is_byte = known.place.find('+') != std::string::npos && known.place.find(' ') == std::string::npos;
+    if (is_part || is_byte)
+    {
+        throw runtime::YamlError(known.source.file, known.source.place,
+                                 (is_part ? "part " : "place ") + runtime::Shown(known.place) +
+                                     (is_part ? " as a known place" : " that the device does not have"),
+                                 "a member, byte or bit as in the reports, comparator.verdict+8.0 for instance");
+    }
+}
 } // namespace
 
 /// Members that the device does not have, or of which the plan hits nothing, are refused.
@@ -214,6 +258,10 @@ bool Space::IsChosen(const Place& place, const std::size_t byte) const
 void Space::TakeBytes(Device& device)
 {
     RequireMembers(device);
+    for (const Known& known : plan_.known)
+    {
+        RequireKnown(device, known);
+    }
     for (std::size_t place = 0U; place < device.Places().size(); ++place)
     {
         const Place& each = device.Places()[place];
