@@ -358,5 +358,23 @@ TEST_F(Cycling, OptionRemovesTheCallbackAndNotTheMonitor)
     EXPECT_FALSE(WatchdogAlive());
 }
 
+TEST_F(Cycling, WithoutTheOptionNoEventIsDeliveredOfPairsAndErrorsEither)
+{
+    Verifies(req::SRS_FLOW_342);
+    flow_callback = FlowCallback::kOff;
+    Operate();
+    ReceivePair();
+    Cycle();
+    ASSERT_EQ(Open(), 1U);
+    Receive(0x102U, {0xEDU, 0xCBU}, 100U);
+    Cycle();
+    ASSERT_FALSE(application.errors.empty());
+    ConfirmLast();
+    ConfirmLast();
+    Cycle();
+    ASSERT_EQ(application.events.size(), 2U);
+    EXPECT_TRUE(application.flow.empty());
+}
+
 } // namespace
 } // namespace counterpoint

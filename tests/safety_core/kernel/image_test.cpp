@@ -200,9 +200,12 @@ TEST_F(StoredConfiguration, AnotherNumberOfItemsIsForeign)
     Verifies(req::SRS_CFG_213);
     Configure();
     Image image = Save();
-    image.header.count = 72U;
-    EXPECT_EQ(Load(image), Result::kForeignImage);
-    HasDefaults();
+    for (const std::uint32_t count : {0U, 72U, 74U, 0xFFFFFFFFU})
+    {
+        image.header.count = count;
+        EXPECT_EQ(Load(image), Result::kForeignImage) << count;
+        HasDefaults();
+    }
 }
 
 TEST_F(StoredConfiguration, DeviceWithAnotherNumberOfAnSrdoDoesNotTakeIt)
@@ -288,6 +291,7 @@ TEST_F(StoredConfiguration, ImageIsNotLoadedIntoCopiesThatDiffer)
 {
     Verifies(req::SRS_CFG_051);
     Verifies(req::SRS_CFG_211);
+    Verifies(req::SRS_CFG_213);
     Configure();
     std::vector<std::uint32_t> items = Save().items;
     std::fill(items.begin() + 48, items.begin() + 72, 0U);
@@ -295,6 +299,12 @@ TEST_F(StoredConfiguration, ImageIsNotLoadedIntoCopiesThatDiffer)
     b.load_flip = 1U;
     const ImageHeader header{kItems, image::CrcOf(image::WordsOf(items, 0U)), 0U};
     EXPECT_EQ(kernel.Image().Load(header), Result::kDeviceFault);
+    // and the power-on configuration is there
+    b.load_flip = 0U;
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+    EXPECT_EQ(Read(0x1301U, 1U), 0U);
+    EXPECT_EQ(Read(0x1301U, 2U), 25U);
+    EXPECT_EQ(Read(0x1381U, 0U), 0U);
 }
 
 TEST_F(StoredConfiguration, HeaderAloneTakesTheValidityBack)
@@ -399,6 +409,34 @@ TEST_F(StoredConfiguration, RemovedGfcParameterReadsZeroAndIsNotLoaded)
     EXPECT_EQ(kernel.Image().LoadItem(kGfcItem, 1U), Result::kSuccessful);
     EXPECT_EQ(kernel.Image().ReadItem(kGfcItem).value, 0U);
     EXPECT_EQ(Load(with_gfc), Result::kDamagedImage);
+}
+
+TEST_F(StoredConfiguration, EachItemTakesTheWidestValueThatItHasRoomForAndNoMore)
+{
+    Verifies(req::SRS_CFG_210);
+    Configure();
+    // Signature, direction, SCT, SRVT, transmission type, and behind the COB-IDs the map count
+    constexpr std::uint32_t kPlaces[] = {0U, 1U, 2U, 3U, 4U, 7U};
+    constexpr std::uint32_t kWidest[] = {0xFFFFU, 0xFFU, 0xFFFFU, 0xFFU, 0xFFU, 0xFFU};
+    for (const std::uint32_t first : {0U, 24U, 48U})
+    {
+        for (std::uint32_t place = 0U; place < 6U; ++place)
+        {
+            const std::uint32_t number = first + kPlaces[place];
+            EXPECT_EQ(kernel.Image().LoadItem(number, kWidest[place]), Result::kSuccessful) << number;
+            EXPECT_EQ(kernel.Image().LoadItem(number, kWidest[place] + 1U), Result::kDamagedImage) << number;
+            EXPECT_EQ(kernel.Image().LoadItem(number, 0x80000000U), Result::kDamagedImage) << number;
+            EXPECT_EQ(kernel.Image().ReadItem(number).value, kWidest[place]) << number;
+        }
+    }
+    EXPECT_EQ(kernel.Image().LoadItem(kGfcItem, 1U), Result::kSuccessful);
+    EXPECT_EQ(kernel.Image().LoadItem(kGfcItem, 2U), Result::kDamagedImage);
+    EXPECT_EQ(kernel.Image().ReadItem(kGfcItem).value, 1U);
+    for (const std::uint32_t behind : {kItems, kItems + 1U, 0xFFFFFFFFU})
+    {
+        EXPECT_EQ(kernel.Image().LoadItem(behind, 0U), Result::kNotExist) << behind;
+        EXPECT_EQ(kernel.Image().ReadItem(behind).result, Result::kNotExist) << behind;
+    }
 }
 
 } // namespace

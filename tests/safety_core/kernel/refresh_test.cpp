@@ -212,6 +212,12 @@ TEST_F(Refresh, ConfirmationAtTheVeryLimitEndsInNoDeviceFault)
         now_us += 1U;
         kernel.OnConfirm(StampedFrame{ports.sent.back(), NowBehind(1U)});
         EXPECT_EQ(ports.sent.size(), 1U);
+        for (Tap* const tap : {&a, &b})
+        {
+            EXPECT_EQ(tap->transmit_faults, std::vector<SrdoCause>{SrdoCause::kNoConfirmation});
+            EXPECT_EQ(tap->given_up, 1U);
+            tap->transmit_faults.clear();
+        }
         // When a refresh falls due, which may be before the inverse frame would be late
         CyclesBehind(5U);
         EXPECT_EQ(ports.sent.size(), 1U);

@@ -145,11 +145,12 @@ TEST(Variable, PairOfALengthThatThereIsNotIsNotInverse)
     }
     const auto view = [&normal, &inverse](const std::uint8_t length)
     { return IsInversePair(VariablePlace{normal, length}, VariablePlace{inverse, length}); };
-    EXPECT_EQ(view(1U), PairView::kInverse);
-    EXPECT_EQ(view(64U), PairView::kInverse);
-    EXPECT_EQ(view(0U), PairView::kNotInverse);
-    EXPECT_EQ(view(65U), PairView::kNotInverse);
-    EXPECT_EQ(view(255U), PairView::kNotInverse);
+    for (std::uint32_t length = 0U; length <= 255U; ++length)
+    {
+        const bool is_length = (length >= 1U) && (length <= 64U);
+        EXPECT_EQ(view(static_cast<std::uint8_t>(length)), is_length ? PairView::kInverse : PairView::kNotInverse)
+            << length;
+    }
 }
 
 } // namespace
