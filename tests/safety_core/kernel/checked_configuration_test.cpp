@@ -164,5 +164,32 @@ TEST_F(CheckedConfiguration, AFlippedBitOfTheControllerIsFoundWithinTwoDiagnosti
     }
 }
 
+TEST_F(CheckedConfiguration, DigestOrSignatureThatOneChannelAloneHasIsADisagreementAtItsSlot)
+{
+    Verifies(req::SRS_KRN_150);
+    Verifies(req::SRS_KRN_151);
+    for (Tap* const tap : {&a, &b})
+    {
+        for (SlotIndex slot = 0U; slot < 3U; ++slot)
+        {
+            Configure();
+            tap->digest_slot = slot;
+            tap->digest_flip = 1U;
+            EXPECT_EQ(kernel.Digest().result, Result::kDeviceFault);
+            tap->digest_flip = 0U;
+            EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+            EXPECT_EQ(kernel.DeviceState().slot, slot);
+            Configure();
+            tap->signature_flip = 0x8000U;
+            const SignReply reply = kernel.Sign(CommunicationIndex{kIndices[slot]});
+            tap->signature_flip = 0U;
+            EXPECT_EQ(reply.result, Result::kDeviceFault);
+            EXPECT_EQ(reply.signature, 0U);
+            EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+            EXPECT_EQ(kernel.DeviceState().slot, slot);
+        }
+    }
+}
+
 } // namespace
 } // namespace counterpoint

@@ -439,5 +439,61 @@ TEST_F(StoredConfiguration, EachItemTakesTheWidestValueThatItHasRoomForAndNoMore
     }
 }
 
+TEST_F(StoredConfiguration, EveryItemIsThatOfItsObjectAndIsRestored)
+{
+    Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_053);
+    Verifies(req::SRS_CFG_216);
+    Restart();
+    const Image power_on = Save();
+    // Given another value in each item
+    for (std::uint32_t number = 0U; number < kGfcItem; ++number)
+    {
+        ASSERT_EQ(kernel.Image().LoadItem(number, number + 100U), Result::kSuccessful);
+    }
+    ASSERT_EQ(kernel.Image().LoadItem(kGfcItem, 1U), Result::kSuccessful);
+    std::uint32_t number = 0U;
+    for (const std::uint16_t srdo : std::initializer_list<std::uint16_t>{1U, 3U, 4U})
+    {
+        EXPECT_EQ(Read(0x13FFU, static_cast<std::uint8_t>(srdo)), number + 100U);
+        for (std::uint8_t sub = 1U; sub <= 6U; ++sub)
+        {
+            EXPECT_EQ(Read(static_cast<std::uint16_t>(0x1300U + srdo), sub), number + sub + 100U);
+        }
+        for (std::uint8_t sub = 0U; sub <= 16U; ++sub)
+        {
+            EXPECT_EQ(Read(static_cast<std::uint16_t>(0x1380U + srdo), sub), number + sub + 107U);
+        }
+        number += 24U;
+    }
+    EXPECT_EQ(Read(0x1300U, 0U), 1U);
+    // When the defaults are restored, then each is as it was
+    EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kSuccessful);
+    EXPECT_EQ(Save().items, power_on.items);
+}
+
+TEST_F(StoredConfiguration, ItemThatOneChannelDoesNotKeepIsADeviceFault)
+{
+    Verifies(req::SRS_CFG_047);
+    for (Tap* const tap : {&a, &b})
+    {
+        Configure();
+        ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+        tap->drop_store = true;
+        (void)kernel.Image().LoadItem(26U, 99U);
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+        EXPECT_EQ(kernel.DeviceState().slot, 1U);
+        tap->drop_store = false;
+        // SRDO 1 alone has other values than the defaults in its first items
+        Configure();
+        ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+        tap->drop_store = true;
+        (void)kernel.Image().RestoreDefaults();
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+        EXPECT_EQ(kernel.DeviceState().slot, 0U);
+        tap->drop_store = false;
+    }
+}
+
 } // namespace
 } // namespace counterpoint

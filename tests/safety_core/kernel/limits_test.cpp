@@ -386,5 +386,28 @@ TEST_F(SweptLimit, LateCyclesDoNotStretchTheChecksOfTheSignatures)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
 }
 
+TEST_F(SweptLimit, SignatureOfOneChannel)
+{
+    Verifies(req::SRS_LIM_002);
+    Verifies(req::SRS_CFG_048);
+    std::uint32_t longest_us = 0U;
+    for (std::uint32_t phase = 20U; phase < 41U; ++phase)
+    {
+        for (const SlotIndex slot : std::initializer_list<SlotIndex>{0U, 1U, 2U})
+        {
+            b.signature_flip = 0U;
+            Release(phase);
+            b.check_slot = slot;
+            b.signature_flip = 1U;
+            const std::uint32_t taken_us = TimeToSafe(now_us, [this]() { LateCycleWithPair(); });
+            EXPECT_LE(taken_us, LimitOf(FaultClass::kConfiguration)) << phase;
+            EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+            EXPECT_EQ(kernel.DeviceState().slot, slot);
+            longest_us = std::max(longest_us, taken_us);
+        }
+    }
+    EXPECT_GT(longest_us, 30000U);
+}
+
 } // namespace
 } // namespace counterpoint

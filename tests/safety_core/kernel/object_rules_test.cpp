@@ -68,12 +68,14 @@ TEST_F(ObjectRules, SrdoSixtyFourHasTheLastOfBothRanges)
     for (const std::uint16_t index : std::initializer_list<std::uint16_t>{0x1301U, 0x1303U, 0x1340U})
     {
         EXPECT_EQ(Read(index, 0U), 6U) << std::hex << index;
+        EXPECT_EQ(Write(index, 0U, 6U, 1U), AbortCode::kReadOnly) << std::hex << index;
     }
     EXPECT_EQ(Read(0x1340U, 2U), 25U);
     EXPECT_EQ(Write(0x1340U, 2U, 300U, 2U), AbortCode::kNone);
     EXPECT_EQ(Read(0x1340U, 2U), 300U);
     EXPECT_EQ(Write(0x13C0U, 16U, 0x20000110U, 4U), AbortCode::kNone);
     EXPECT_EQ(Read(0x13C0U, 16U), 0x20000110U);
+    EXPECT_EQ(Write(0x13C0U, 17U, 0U, 4U), AbortCode::kSubUnknown);
     EXPECT_EQ(Write(0x13FFU, 64U, 0x1234U, 2U), AbortCode::kNone);
     EXPECT_EQ(Read(0x13FFU, 64U), 0x1234U);
     // The greatest number is that of the last SRDO

@@ -202,7 +202,7 @@ class Tap final : public Channel
     SlotIndex digest_slot{0U};            ///< Where it is flipped.
     SlotIndex load_slot{kNoSlot};         ///< Likewise; kNoSlot: everywhere.
     SlotIndex signals_slot{kNoSlot};      ///< Likewise.
-    SlotIndex check_slot{kNoSlot};        ///< Where `check_fault` is found; likewise.
+    SlotIndex check_slot{kNoSlot};        ///< Of `check_fault` and `signature_flip`.
     SlotIndex fields_slot{kNoSlot};       ///< By the last SetFields.
     SlotIndex validated{kNoSlot};         ///< By the last Validate.
     SlotIndex rechecked{kNoSlot};         ///< By the last Recheck.
@@ -230,8 +230,8 @@ class Tap final : public Channel
   private:
     CheckResult Alter(const SlotIndex slot, CheckResult result) const noexcept
     {
-        result.signature = static_cast<std::uint16_t>(result.signature ^ signature_flip);
         const bool is_found = (check_slot == kNoSlot) || (slot == check_slot);
+        result.signature = static_cast<std::uint16_t>(result.signature ^ (is_found ? signature_flip : 0U));
         result.fault = (is_found && (check_fault != ConfigFault::kNone)) ? check_fault : result.fault;
         return result;
     }
