@@ -191,5 +191,53 @@ TEST_F(CheckedConfiguration, DigestOrSignatureThatOneChannelAloneHasIsADisagreem
     }
 }
 
+TEST_F(CheckedConfiguration, EachRuleOfEachSrdoIsFoundByTheCyclicCheckInEachState)
+{
+    Verifies(req::SRS_CFG_048);
+    for (const NmtState state :
+         {NmtState::kInitialising, NmtState::kPreOperational, NmtState::kOperational, NmtState::kStopped})
+    {
+        for (const ConfigFault rule : kRules)
+        {
+            for (SlotIndex slot = 0U; slot < 3U; ++slot)
+            {
+                Configure();
+                kernel.SetNmtState(state);
+                Cycle();
+                Break(rule, slot);
+                Cycles(30U);
+                EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+                EXPECT_EQ(kernel.DeviceState().slot, slot);
+                Break(ConfigFault::kNone, kNoSlot);
+            }
+        }
+    }
+}
+
+TEST_F(CheckedConfiguration, DigestThatChangesInBothChannelsIsFoundInEachState)
+{
+    Verifies(req::SRS_CFG_050);
+    for (const NmtState state :
+         {NmtState::kInitialising, NmtState::kPreOperational, NmtState::kOperational, NmtState::kStopped})
+    {
+        for (SlotIndex slot = 0U; slot < 3U; ++slot)
+        {
+            Configure();
+            kernel.SetNmtState(state);
+            Cycles(31U);
+            for (Tap* const tap : {&a, &b})
+            {
+                tap->digest_slot = slot;
+                tap->digest_flip = 0x80U;
+            }
+            Cycles(60U);
+            EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+            EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
+            a.digest_flip = 0U;
+            b.digest_flip = 0U;
+        }
+    }
+}
+
 } // namespace
 } // namespace counterpoint

@@ -376,5 +376,21 @@ TEST_F(Cycling, WithoutTheOptionNoEventIsDeliveredOfPairsAndErrorsEither)
     EXPECT_TRUE(application.flow.empty());
 }
 
+TEST_F(Cycling, OneFlowEventInEachStateOutsideOfOperational)
+{
+    Verifies(req::SRS_FLOW_004);
+    for (const NmtState state : {NmtState::kInitialising, NmtState::kPreOperational, NmtState::kStopped})
+    {
+        Operate();
+        kernel.SetNmtState(state);
+        Cycle();
+        application.flow.clear();
+        Cycles(2U);
+        const std::vector<std::pair<FlowEvent, std::uint16_t>> expected{
+            {FlowEvent::kNotOperational, std::uint16_t{1U}}, {FlowEvent::kNotOperational, std::uint16_t{1U}}};
+        EXPECT_EQ(application.flow, expected);
+    }
+}
+
 } // namespace
 } // namespace counterpoint

@@ -60,5 +60,37 @@ TEST_F(GfcTime, OneMicrosecondBehindTheRefreshTimeItWasNotFollowed)
     }
 }
 
+TEST_F(GfcTime, WithoutAProducerItWasNotFollowedInTheNextCycle)
+{
+    Verifies(req::SRS_KRN_225);
+    Configure();
+    ASSERT_EQ(Write(0x1303U, 1U, 0U, 1U), AbortCode::kNone);
+    const SignReply reply = kernel.Sign(CommunicationIndex{0x1303U});
+    ASSERT_EQ(Write(0x13FFU, 3U, reply.signature, 2U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycles(2U);
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    EXPECT_EQ(application.gfcs_not_followed, 0);
+    Cycle();
+    EXPECT_EQ(application.gfcs_not_followed, 1);
+    Cycles(30U);
+    EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
+TEST_F(GfcTime, InTheDeviceSafeStateItWasNotFollowedEither)
+{
+    Verifies(req::SRS_KRN_225);
+    Operate();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    kernel.DemandSafeState();
+    Cycles(25U);
+    EXPECT_EQ(application.gfcs_not_followed, 0);
+    Cycle();
+    EXPECT_EQ(application.gfcs_not_followed, 1);
+    ASSERT_EQ(ports.sent.size(), 1U);
+    EXPECT_EQ(ports.sent[0].identifier, 0x001U);
+}
+
 } // namespace
 } // namespace counterpoint

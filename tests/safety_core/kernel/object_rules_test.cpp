@@ -316,5 +316,43 @@ TEST_F(ObjectRules, SixtyFourBitsAreMappedOnEitherSideAndNotOneMore)
     }
 }
 
+TEST_F(ObjectRules, EachThatTheChannelsHoldDifferentlyReadsAsAFaultOfItsSlot)
+{
+    Verifies(req::SRS_CFG_047);
+    for (Tap* const tap : {&a, &b})
+    {
+        for (const Sized& object : Writable())
+        {
+            const ObjectAddress& address = object.address;
+            const std::uint32_t number = (address.index == 0x13FFU) ? address.sub : (address.index & 0x7FU);
+            if (number == 2U)
+            {
+                continue; // The gap is in no channel.
+            }
+            Configure();
+            tap->load_flip = 1U;
+            EXPECT_EQ(kernel.ReadObject(address).abort, AbortCode::kGeneral) << std::hex << address.index;
+            tap->load_flip = 0U;
+            EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+            EXPECT_EQ(kernel.DeviceState().slot,
+                      (number == 1U) ? 0U : ((number == 3U) ? 1U : ((number == 4U) ? 2U : kNoSlot)))
+                << std::hex << address.index;
+        }
+    }
+}
+
+TEST(DefaultConnection, IsThatOfEachNodeId)
+{
+    Verifies(req::SRS_CFG_049);
+    for (std::uint32_t node = 0U; node <= 0xFFU; ++node)
+    {
+        const Connection connection = DefaultConnection(NodeId{static_cast<std::uint8_t>(node)});
+        const bool has_one = (node >= 1U) && (node <= 64U);
+        EXPECT_EQ(connection.cob_id_1, has_one ? (0xFFU + (2U * node)) : 0U) << node;
+        EXPECT_EQ(connection.cob_id_2, has_one ? (0x100U + (2U * node)) : 0U) << node;
+        EXPECT_EQ(connection.direction, has_one ? ((node <= 32U) ? 1U : 2U) : 0U) << node;
+    }
+}
+
 } // namespace
 } // namespace counterpoint
