@@ -2,6 +2,7 @@
 #include "canopen/cia301/nmt/slave.hpp"
 #include "canopen/cia301/objects/service_table.hpp"
 #include "verification/trace/ids/cia301.hpp"
+#include "verification/trace/ids/kernel.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <array>
@@ -192,6 +193,7 @@ TEST_F(NmtSlaveTest, TheDeviceLeavesOperationalByItselfAndNothingElse)
 TEST_F(NmtSlaveTest, StatesOfKernelAndErrorControl)
 {
     Verifies(req::SRS_NMT_008);
+    Verifies(req::SRS_KRN_027);
     constexpr std::array<NmtState, 8> kKernel{
         NmtState::kInitialising,   NmtState::kInitialising, NmtState::kInitialising, NmtState::kInitialising,
         NmtState::kPreOperational, NmtState::kOperational,  NmtState::kStopped,      NmtState::kInitialising};

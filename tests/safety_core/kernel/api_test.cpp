@@ -412,5 +412,51 @@ TEST_F(Facade, InterlockSurvivesResetCommunicationAndALoadedConfiguration)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
 }
 
+TEST_F(Facade, OfTwoCausesThatOfChannelAIsTold)
+{
+    Verifies(req::SRS_KRN_152);
+    Operate();
+    const auto told = [this](const SrdoCause of_a, const SrdoCause of_b)
+    {
+        a.first_cause = of_a;
+        b.first_cause = of_b;
+        return kernel.GetState(CommunicationIndex{0x1301U}).first_cause;
+    };
+    EXPECT_EQ(told(SrdoCause::kSct, SrdoCause::kSrvt), SrdoCause::kSct);
+    EXPECT_EQ(told(SrdoCause::kSrvt, SrdoCause::kSct), SrdoCause::kSrvt);
+    EXPECT_EQ(told(SrdoCause::kNone, SrdoCause::kSct), SrdoCause::kSct);
+    EXPECT_EQ(told(SrdoCause::kDemoted, SrdoCause::kSct), SrdoCause::kSct);
+    EXPECT_EQ(told(SrdoCause::kSct, SrdoCause::kDemoted), SrdoCause::kSct);
+}
+
+TEST_F(Facade, InterlockSurvivesEachNmtState)
+{
+    Verifies(req::SRS_KRN_027);
+    setups[0].policy = ReleasePolicy::kInterlock;
+    Operate();
+    for (const NmtState state : {NmtState::kPreOperational, NmtState::kStopped, NmtState::kInitialising})
+    {
+        ReceivePair();
+        Cycle();
+        Cycle();
+        EXPECT_EQ(Open(), 0U);
+        Cycle(1U);
+        Cycle(1U);
+        ASSERT_EQ(Open(), 1U);
+        // When OPERATIONAL is left and entered again, then a good pair alone releases nothing
+        kernel.SetNmtState(state);
+        Cycle(1U);
+        kernel.SetNmtState(NmtState::kOperational);
+        Cycle(1U);
+        ReceivePair();
+        for (std::uint32_t cycle = 0U; cycle < 5U; ++cycle)
+        {
+            Cycle(1U);
+            EXPECT_EQ(Open(), 0U);
+        }
+    }
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
 } // namespace
 } // namespace counterpoint

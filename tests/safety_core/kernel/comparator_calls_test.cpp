@@ -543,5 +543,24 @@ TEST_F(ComparatorLost, BlindForDataIsFoundByTheDeliberateDifferenceWithinTheTest
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
 }
 
+// Data that the channels do not share, and that are called equal all the same.
+TEST_F(ComparatorLost, NormalFrameIsThatOfChannelAAndInverseFrameThatOfChannelB)
+{
+    Verifies(req::SRS_KRN_213);
+    Verifies(req::SRS_KRN_214);
+    Operate();
+    comparator_calls = ComparatorCalls::kDataUnseen;
+    b.on_prepared = [](PreparedPair& pair) { pair.normal.data[1] = 0x55U; };
+    a.on_inverse = [](CanFrame& frame) { frame.data[1] = 0xAAU; };
+    Cycle();
+    ASSERT_EQ(ports.sent.size(), 1U);
+    EXPECT_EQ(ports.sent[0].identifier, 0x103U);
+    EXPECT_EQ(ports.sent[0].data[1], 0x34U);
+    ConfirmLast();
+    ASSERT_EQ(ports.sent.size(), 2U);
+    EXPECT_EQ(ports.sent[1].identifier, 0x104U);
+    EXPECT_EQ(ports.sent[1].data[1], 0xCBU);
+}
+
 } // namespace
 } // namespace counterpoint

@@ -358,5 +358,39 @@ TEST_F(Cycling, OptionRemovesTheCallbackAndNotTheMonitor)
     EXPECT_FALSE(WatchdogAlive());
 }
 
+TEST_F(Cycling, WithoutTheOptionNoEventIsDeliveredOfPairsAndErrorsEither)
+{
+    Verifies(req::SRS_FLOW_342);
+    flow_callback = FlowCallback::kOff;
+    Operate();
+    ReceivePair();
+    Cycle();
+    ASSERT_EQ(Open(), 1U);
+    Receive(0x102U, {0xEDU, 0xCBU}, 100U);
+    Cycle();
+    ASSERT_FALSE(application.errors.empty());
+    ConfirmLast();
+    ConfirmLast();
+    Cycle();
+    ASSERT_EQ(application.events.size(), 2U);
+    EXPECT_TRUE(application.flow.empty());
+}
+
+TEST_F(Cycling, OneFlowEventInEachStateOutsideOfOperational)
+{
+    Verifies(req::SRS_FLOW_004);
+    for (const NmtState state : {NmtState::kInitialising, NmtState::kPreOperational, NmtState::kStopped})
+    {
+        Operate();
+        kernel.SetNmtState(state);
+        Cycle();
+        application.flow.clear();
+        Cycles(2U);
+        const std::vector<std::pair<FlowEvent, std::uint16_t>> expected{
+            {FlowEvent::kNotOperational, std::uint16_t{1U}}, {FlowEvent::kNotOperational, std::uint16_t{1U}}};
+        EXPECT_EQ(application.flow, expected);
+    }
+}
+
 } // namespace
 } // namespace counterpoint

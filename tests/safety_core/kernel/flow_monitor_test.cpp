@@ -140,5 +140,21 @@ TEST(FlowMonitor, MissingBeginAndOldAnswerAreWrong)
     EXPECT_NE(flow.End(hal::WatchdogQuestion{0x00C0FFEFU}).value, first);
 }
 
+TEST(FlowMonitor, AnswerOfAWrongSignatureIsThatOfTheFormulaToo)
+{
+    Verifies(req::SRS_FLOW_002);
+    FlowMonitor flow{};
+    flow.Begin();
+    for (std::uint8_t step = 1U; step < kFlowStepCount; ++step)
+    {
+        flow.Mark(static_cast<FlowStep>(step), kRight);
+    }
+    // Given one too many in the last step: 5EC0DE27h + 9E3779B9h, worked out by hand
+    flow.Mark(static_cast<FlowStep>(kFlowStepCount), FlowEvidence{8U, 7U});
+    EXPECT_EQ(flow.End(kQuestion).value, static_cast<std::uint32_t>(0xFDB957CEULL * 0x01000193ULL));
+    EXPECT_EQ(flow.End(hal::WatchdogQuestion{0U}).value, static_cast<std::uint32_t>(0xFCF857E0ULL * 0x01000193ULL));
+    EXPECT_EQ(flow.Finding(), DeviceFault::kFlow);
+}
+
 } // namespace
 } // namespace counterpoint

@@ -200,9 +200,12 @@ TEST_F(StoredConfiguration, AnotherNumberOfItemsIsForeign)
     Verifies(req::SRS_CFG_213);
     Configure();
     Image image = Save();
-    image.header.count = 72U;
-    EXPECT_EQ(Load(image), Result::kForeignImage);
-    HasDefaults();
+    for (const std::uint32_t count : {0U, 72U, 74U, 0xFFFFFFFFU})
+    {
+        image.header.count = count;
+        EXPECT_EQ(Load(image), Result::kForeignImage) << count;
+        HasDefaults();
+    }
 }
 
 TEST_F(StoredConfiguration, DeviceWithAnotherNumberOfAnSrdoDoesNotTakeIt)
@@ -288,6 +291,7 @@ TEST_F(StoredConfiguration, ImageIsNotLoadedIntoCopiesThatDiffer)
 {
     Verifies(req::SRS_CFG_051);
     Verifies(req::SRS_CFG_211);
+    Verifies(req::SRS_CFG_213);
     Configure();
     std::vector<std::uint32_t> items = Save().items;
     std::fill(items.begin() + 48, items.begin() + 72, 0U);
@@ -295,6 +299,12 @@ TEST_F(StoredConfiguration, ImageIsNotLoadedIntoCopiesThatDiffer)
     b.load_flip = 1U;
     const ImageHeader header{kItems, image::CrcOf(image::WordsOf(items, 0U)), 0U};
     EXPECT_EQ(kernel.Image().Load(header), Result::kDeviceFault);
+    // and the power-on configuration is there
+    b.load_flip = 0U;
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+    EXPECT_EQ(Read(0x1301U, 1U), 0U);
+    EXPECT_EQ(Read(0x1301U, 2U), 25U);
+    EXPECT_EQ(Read(0x1381U, 0U), 0U);
 }
 
 TEST_F(StoredConfiguration, HeaderAloneTakesTheValidityBack)
@@ -399,6 +409,90 @@ TEST_F(StoredConfiguration, RemovedGfcParameterReadsZeroAndIsNotLoaded)
     EXPECT_EQ(kernel.Image().LoadItem(kGfcItem, 1U), Result::kSuccessful);
     EXPECT_EQ(kernel.Image().ReadItem(kGfcItem).value, 0U);
     EXPECT_EQ(Load(with_gfc), Result::kDamagedImage);
+}
+
+TEST_F(StoredConfiguration, EachItemTakesTheWidestValueThatItHasRoomForAndNoMore)
+{
+    Verifies(req::SRS_CFG_210);
+    Configure();
+    // Signature, direction, SCT, SRVT, transmission type, and behind the COB-IDs the map count
+    constexpr std::uint32_t kPlaces[] = {0U, 1U, 2U, 3U, 4U, 7U};
+    constexpr std::uint32_t kWidest[] = {0xFFFFU, 0xFFU, 0xFFFFU, 0xFFU, 0xFFU, 0xFFU};
+    for (const std::uint32_t first : {0U, 24U, 48U})
+    {
+        for (std::uint32_t place = 0U; place < 6U; ++place)
+        {
+            const std::uint32_t number = first + kPlaces[place];
+            EXPECT_EQ(kernel.Image().LoadItem(number, kWidest[place]), Result::kSuccessful) << number;
+            EXPECT_EQ(kernel.Image().LoadItem(number, kWidest[place] + 1U), Result::kDamagedImage) << number;
+            EXPECT_EQ(kernel.Image().LoadItem(number, 0x80000000U), Result::kDamagedImage) << number;
+            EXPECT_EQ(kernel.Image().ReadItem(number).value, kWidest[place]) << number;
+        }
+    }
+    EXPECT_EQ(kernel.Image().LoadItem(kGfcItem, 1U), Result::kSuccessful);
+    EXPECT_EQ(kernel.Image().LoadItem(kGfcItem, 2U), Result::kDamagedImage);
+    EXPECT_EQ(kernel.Image().ReadItem(kGfcItem).value, 1U);
+    for (const std::uint32_t behind : {kItems, kItems + 1U, 0xFFFFFFFFU})
+    {
+        EXPECT_EQ(kernel.Image().LoadItem(behind, 0U), Result::kNotExist) << behind;
+        EXPECT_EQ(kernel.Image().ReadItem(behind).result, Result::kNotExist) << behind;
+    }
+}
+
+TEST_F(StoredConfiguration, EveryItemIsThatOfItsObjectAndIsRestored)
+{
+    Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_053);
+    Verifies(req::SRS_CFG_216);
+    Restart();
+    const Image power_on = Save();
+    // Given another value in each item
+    for (std::uint32_t number = 0U; number < kGfcItem; ++number)
+    {
+        ASSERT_EQ(kernel.Image().LoadItem(number, number + 100U), Result::kSuccessful);
+    }
+    ASSERT_EQ(kernel.Image().LoadItem(kGfcItem, 1U), Result::kSuccessful);
+    std::uint32_t number = 0U;
+    for (const std::uint16_t srdo : std::initializer_list<std::uint16_t>{1U, 3U, 4U})
+    {
+        EXPECT_EQ(Read(0x13FFU, static_cast<std::uint8_t>(srdo)), number + 100U);
+        for (std::uint8_t sub = 1U; sub <= 6U; ++sub)
+        {
+            EXPECT_EQ(Read(static_cast<std::uint16_t>(0x1300U + srdo), sub), number + sub + 100U);
+        }
+        for (std::uint8_t sub = 0U; sub <= 16U; ++sub)
+        {
+            EXPECT_EQ(Read(static_cast<std::uint16_t>(0x1380U + srdo), sub), number + sub + 107U);
+        }
+        number += 24U;
+    }
+    EXPECT_EQ(Read(0x1300U, 0U), 1U);
+    // When the defaults are restored, then each is as it was
+    EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kSuccessful);
+    EXPECT_EQ(Save().items, power_on.items);
+}
+
+TEST_F(StoredConfiguration, ItemThatOneChannelDoesNotKeepIsADeviceFault)
+{
+    Verifies(req::SRS_CFG_047);
+    for (Tap* const tap : {&a, &b})
+    {
+        Configure();
+        ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+        tap->drop_store = true;
+        (void)kernel.Image().LoadItem(26U, 99U);
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+        EXPECT_EQ(kernel.DeviceState().slot, 1U);
+        tap->drop_store = false;
+        // SRDO 1 alone has other values than the defaults in its first items
+        Configure();
+        ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+        tap->drop_store = true;
+        (void)kernel.Image().RestoreDefaults();
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+        EXPECT_EQ(kernel.DeviceState().slot, 0U);
+        tap->drop_store = false;
+    }
 }
 
 } // namespace

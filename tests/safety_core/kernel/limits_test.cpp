@@ -364,5 +364,50 @@ TEST_F(SweptLimit, CounterThatDrifts)
     EXPECT_GT(longest_us, 90000U); // Nearly an interval.
 }
 
+// Shares of 5 ms, late cycles of 1.5 ms: signatures at 5, 15 and 25 ms, each in the first cycle behind.
+TEST_F(SweptLimit, LateCyclesDoNotStretchTheChecksOfTheSignatures)
+{
+    Verifies(req::SRS_LIM_213);
+    Release(0U);
+    const std::uint32_t first_us = now_us;
+    std::vector<std::pair<SlotIndex, std::uint32_t>> checked;
+    while ((now_us - first_us) < 60000U)
+    {
+        a.rechecked = kNoSlot;
+        LateCycleWithPair();
+        if (a.rechecked != kNoSlot)
+        {
+            checked.emplace_back(a.rechecked, now_us - first_us);
+        }
+    }
+    const std::vector<std::pair<SlotIndex, std::uint32_t>> expected{{0U, 6000U},  {1U, 15000U}, {2U, 25500U},
+                                                                    {0U, 36000U}, {1U, 45000U}, {2U, 55500U}};
+    EXPECT_EQ(checked, expected);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
+TEST_F(SweptLimit, SignatureOfOneChannel)
+{
+    Verifies(req::SRS_LIM_002);
+    Verifies(req::SRS_CFG_048);
+    std::uint32_t longest_us = 0U;
+    for (std::uint32_t phase = 20U; phase < 41U; ++phase)
+    {
+        for (const SlotIndex slot : std::initializer_list<SlotIndex>{0U, 1U, 2U})
+        {
+            b.signature_flip = 0U;
+            Release(phase);
+            b.check_slot = slot;
+            b.signature_flip = 1U;
+            const std::uint32_t taken_us = TimeToSafe(now_us, [this]() { LateCycleWithPair(); });
+            EXPECT_LE(taken_us, LimitOf(FaultClass::kConfiguration)) << phase;
+            EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+            EXPECT_EQ(kernel.DeviceState().slot, slot);
+            longest_us = std::max(longest_us, taken_us);
+        }
+    }
+    EXPECT_GT(longest_us, 30000U);
+}
+
 } // namespace
 } // namespace counterpoint

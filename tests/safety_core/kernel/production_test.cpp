@@ -469,6 +469,9 @@ TEST_F(Production, StepsThatTheChannelsDoNotShareAreFollowedByNothing)
     b.on_confirmed = [](Confirmation& confirmation) { confirmation.step = ConfirmStep::kPair; };
     ConfirmLast();
     EXPECT_EQ(ports.sent.size(), 1U);
+    // Only beside a channel that says nothing is the pair given up
+    EXPECT_TRUE(a.transmit_faults.empty());
+    EXPECT_TRUE(b.transmit_faults.empty());
 }
 
 TEST_F(Production, ConfirmationOfASlotThatDoesNotExistIsFollowedByNothing)
@@ -528,6 +531,39 @@ TEST_F(Production, DeviceSafeStateKeepsTheInverseFrameBack)
     ConfirmLast();
     EXPECT_EQ(ports.sent.size(), 1U);
     EXPECT_EQ(a.inverse_frames + b.inverse_frames, 0);
+}
+
+// Both channels say that a normal frame was confirmed, a cycle behind what keeps the inverse one back.
+TEST_F(Production, ConfirmationThatNoChannelMayGiveIsFollowedByNoInverseFrame)
+{
+    Verifies(req::SRS_KRN_215);
+    const auto confirmed = [](Confirmation& confirmation) { confirmation = {1U, ConfirmStep::kNormal}; };
+    a.on_confirmed = confirmed;
+    b.on_confirmed = confirmed;
+    for (const NmtState state : {NmtState::kInitialising, NmtState::kPreOperational, NmtState::kStopped})
+    {
+        ports.sent.clear();
+        Operate();
+        Cycle();
+        kernel.SetNmtState(state);
+        Cycle();
+        ConfirmLast();
+        EXPECT_EQ(ports.sent.size(), 1U);
+    }
+    // Given OPERATIONAL with a configuration that is not valid
+    ASSERT_EQ(Write(0x1303U, 2U, 30U, 2U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycles(2U);
+    ConfirmLast();
+    EXPECT_EQ(ports.sent.size(), 1U);
+    EXPECT_EQ(a.inverse_frames + b.inverse_frames, 0);
+    // and with one that is
+    ports.sent.clear();
+    Operate();
+    Cycle();
+    ConfirmLast();
+    EXPECT_EQ(a.inverse_frames, 1);
+    EXPECT_EQ(b.inverse_frames, 1);
 }
 
 } // namespace

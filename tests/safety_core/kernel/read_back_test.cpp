@@ -212,5 +212,26 @@ TEST_F(ReadBack, NothingIsExaminedOfWhatIsNotReleased)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
 }
 
+TEST_F(ReadBack, ASlotHasItsTurnWithoutAValidConfigurationToo)
+{
+    Verifies(req::SRS_KRN_038);
+    Configure();
+    ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+    Cycle();
+    a.keep_examined = true;
+    b.keep_examined = true;
+    a.rechecked = kNoSlot;
+    b.rechecked = kNoSlot;
+    Cycles(60U);
+    std::vector<SrdoMask> named = a.examined;
+    named.erase(std::remove(named.begin(), named.end(), SrdoMask{0U}), named.end());
+    std::sort(named.begin(), named.end());
+    EXPECT_EQ(named, (std::vector<SrdoMask>{1U, 1U, 2U, 2U, 4U, 4U}));
+    EXPECT_EQ(a.examined, b.examined);
+    // and no signature was checked
+    EXPECT_EQ(a.rechecked, kNoSlot);
+    EXPECT_EQ(b.rechecked, kNoSlot);
+}
+
 } // namespace
 } // namespace counterpoint

@@ -212,6 +212,12 @@ TEST_F(Refresh, ConfirmationAtTheVeryLimitEndsInNoDeviceFault)
         now_us += 1U;
         kernel.OnConfirm(StampedFrame{ports.sent.back(), NowBehind(1U)});
         EXPECT_EQ(ports.sent.size(), 1U);
+        for (Tap* const tap : {&a, &b})
+        {
+            EXPECT_EQ(tap->transmit_faults, std::vector<SrdoCause>{SrdoCause::kNoConfirmation});
+            EXPECT_EQ(tap->given_up, 1U);
+            tap->transmit_faults.clear();
+        }
         // When a refresh falls due, which may be before the inverse frame would be late
         CyclesBehind(5U);
         EXPECT_EQ(ports.sent.size(), 1U);
@@ -393,6 +399,57 @@ TEST_F(Refresh, ThatOneChannelNeverHasIsFoundWhateverIsAskedFor)
         EXPECT_EQ(cycles, 6U);
         EXPECT_TRUE(ports.sent.empty());
         broken.on_outcome = nullptr;
+    }
+}
+
+// Calls at any distance up to a late one, counters that wander apart within their tolerance, requests at any time, and
+// confirmations at once or some calls later.
+TEST_F(Refresh, CallsOfAnyDistanceAndRequestsAreNoDeviceFaultWithTwoLateCyclesOfDiscrepancy)
+{
+    Verifies(req::SRS_KRN_145);
+    Verifies(req::SRS_KRN_310);
+    for (std::uint32_t seed = 1U; seed <= 8U; ++seed)
+    {
+        std::uint32_t state = seed;
+        const auto draw = [&state](const std::uint32_t below)
+        {
+            state = (state * 1664525U) + 1013904223U;
+            return static_cast<std::uint32_t>((std::uint64_t{state} * below) >> 32U);
+        };
+        is_a_behind = (seed & 1U) == 0U;
+        config.discrepancy_us = 3000U;
+        OperateWithClocks(500U);
+        const bool has_requests = (seed & 2U) != 0U;
+        const std::uint32_t latest = (seed <= 4U) ? 1U : 6U;
+        std::uint32_t lag_us = 0U;
+        std::uint32_t waits = 0U;
+        for (std::uint32_t cycle = 1U; cycle <= 20000U; ++cycle)
+        {
+            lag_us += ((cycle % 16U) == 0U) ? 1U : 0U;
+            now_us += 1U + draw((draw(4U) == 0U) ? 1499U : 1000U);
+            kernel.Cycle(CycleCall{NowBehind(lag_us), 0U, 0U});
+            ASSERT_EQ(kernel.DeviceState().fault, DeviceFault::kNone) << seed << " " << cycle;
+            if (has_requests && (draw(20U) == 0U))
+            {
+                static_cast<void>(kernel.Send(kProducer));
+            }
+            if (waits != 0U)
+            {
+                --waits;
+            }
+            else if (!ports.sent.empty())
+            {
+                ConfirmPair(lag_us);
+                waits = draw(latest);
+            }
+            else
+            {
+            }
+            application.flow.clear(); // Of no interest here, and more than a target has room for.
+            application.events.clear();
+            application.refreshed.clear();
+        }
+        EXPECT_TRUE(CausesOf(0x1303U).empty()) << seed;
     }
 }
 

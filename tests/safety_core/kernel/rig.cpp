@@ -72,7 +72,7 @@ std::uint32_t Rig::Read(const std::uint16_t index, const std::uint8_t sub)
 
 void Rig::Configure()
 {
-    ASSERT_EQ(kernel.Start(config, FlowCallback::kOn, handshake), StartResult::kStarted);
+    ASSERT_EQ(kernel.Start(config, flow_callback, handshake), StartResult::kStarted);
     if (has_gfc)
     {
         ASSERT_EQ(Write(0x1300U, 0U, 1U, 1U), AbortCode::kNone);

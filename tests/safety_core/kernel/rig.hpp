@@ -191,6 +191,7 @@ class Rig : public ::testing::Test
     std::array<MappableObject, 5> objects{};
     std::array<SrdoSetup, 3> setups{};
     DeviceConfig config{};
+    FlowCallback flow_callback{FlowCallback::kOn};
     StatusHandshake handshake{StatusHandshake::kOff};
     bool has_gfc{true}; ///< Configure writes 1 to 1300h.
 

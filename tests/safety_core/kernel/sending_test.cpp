@@ -96,6 +96,7 @@ TEST_F(Sending, SendToAllSendsEveryProducerOnce)
 TEST_F(Sending, FlowEventsCountConsumersProducersAndWhatIsOff)
 {
     Verifies(req::SRS_FLOW_004);
+    Verifies(req::SRS_FLOW_341);
     using Flow = std::vector<std::pair<FlowEvent, std::uint16_t>>;
     // Given a consumer and two producers
     Configure();
@@ -286,6 +287,7 @@ TEST_F(Sending, GfcIsSentOnlyIfSupportedAndOperational)
     EXPECT_EQ(ports.sent[0].identifier, 0x001U);
     EXPECT_EQ(ports.sent[0].kind, FrameKind::kData);
     EXPECT_EQ(ports.sent[0].length_bytes, 0U);
+    EXPECT_EQ(ports.sent[0].port, CanPortId::kFirst);
 }
 
 TEST_F(Sending, GfcNeedsAValidConfigurationOutsideTheDeviceSafeState)

@@ -84,7 +84,12 @@ TEST_F(StartLimits, EveryTimeHasItsLeastValue)
     HasLowerLimit(&DeviceConfig::clock_interval_us, 6001U); // Above the tolerance.
     config.clock_tolerance_us = 200U;
     HasLowerLimit(&DeviceConfig::diagnostic_interval_us, 9000U); // Two late cycles for each of three SRDOs.
-    HasLowerLimit(&DeviceConfig::test_interval_us, 22500U);      // 15 cycles of 1.5 ms.
+    config.srdo_count = 2U;
+    HasLowerLimit(&DeviceConfig::diagnostic_interval_us, 6000U);
+    config.srdo_count = 1U;
+    HasLowerLimit(&DeviceConfig::diagnostic_interval_us, 3000U);
+    config.srdo_count = 3U;
+    HasLowerLimit(&DeviceConfig::test_interval_us, 22500U); // 15 cycles of 1.5 ms.
     config.cycle_tolerance_us = 50U;
     HasLowerLimit(&DeviceConfig::cycle_us, 100U);
     EXPECT_EQ(With(

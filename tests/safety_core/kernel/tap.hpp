@@ -60,12 +60,12 @@ class Tap final : public Channel
     CheckResult Validate(SlotIndex slot) noexcept override
     {
         validated = slot;
-        return Alter(real_.Validate(slot));
+        return Alter(slot, real_.Validate(slot));
     }
     CheckResult Recheck(SlotIndex slot) noexcept override
     {
         rechecked = slot;
-        return Alter(real_.Recheck(slot));
+        return Alter(slot, real_.Recheck(slot));
     }
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept override
     {
@@ -202,6 +202,7 @@ class Tap final : public Channel
     SlotIndex digest_slot{0U};            ///< Where it is flipped.
     SlotIndex load_slot{kNoSlot};         ///< Likewise; kNoSlot: everywhere.
     SlotIndex signals_slot{kNoSlot};      ///< Likewise.
+    SlotIndex check_slot{kNoSlot};        ///< Of `check_fault` and `signature_flip`.
     SlotIndex fields_slot{kNoSlot};       ///< By the last SetFields.
     SlotIndex validated{kNoSlot};         ///< By the last Validate.
     SlotIndex rechecked{kNoSlot};         ///< By the last Recheck.
@@ -227,10 +228,11 @@ class Tap final : public Channel
     bool keep_frames{false};
 
   private:
-    CheckResult Alter(CheckResult result) const noexcept
+    CheckResult Alter(const SlotIndex slot, CheckResult result) const noexcept
     {
-        result.signature = static_cast<std::uint16_t>(result.signature ^ signature_flip);
-        result.fault = (check_fault == ConfigFault::kNone) ? result.fault : check_fault;
+        const bool is_found = (check_slot == kNoSlot) || (slot == check_slot);
+        result.signature = static_cast<std::uint16_t>(result.signature ^ (is_found ? signature_flip : 0U));
+        result.fault = (is_found && (check_fault != ConfigFault::kNone)) ? check_fault : result.fault;
         return result;
     }
 

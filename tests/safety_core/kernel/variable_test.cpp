@@ -4,8 +4,10 @@
 #include "verification/trace/ids/kernel.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <initializer_list>
+#include <iterator>
 
 namespace counterpoint
 {
@@ -145,11 +147,34 @@ TEST(Variable, PairOfALengthThatThereIsNotIsNotInverse)
     }
     const auto view = [&normal, &inverse](const std::uint8_t length)
     { return IsInversePair(VariablePlace{normal, length}, VariablePlace{inverse, length}); };
-    EXPECT_EQ(view(1U), PairView::kInverse);
-    EXPECT_EQ(view(64U), PairView::kInverse);
-    EXPECT_EQ(view(0U), PairView::kNotInverse);
-    EXPECT_EQ(view(65U), PairView::kNotInverse);
-    EXPECT_EQ(view(255U), PairView::kNotInverse);
+    for (std::uint32_t length = 0U; length <= 255U; ++length)
+    {
+        const bool is_length = (length >= 1U) && (length <= 64U);
+        EXPECT_EQ(view(static_cast<std::uint8_t>(length)), is_length ? PairView::kInverse : PairView::kNotInverse)
+            << length;
+    }
+}
+
+TEST(Variable, EachLengthReadsAndWritesItsBitsAlone)
+{
+    Verifies(req::SRS_KRN_016);
+    for (std::uint32_t length = 1U; length <= 64U; ++length)
+    {
+        const std::uint64_t mask = ~std::uint64_t{0U} >> (64U - length);
+        const std::uint32_t size = (length + 7U) / 8U;
+        // Given bytes of ones, then so many are read
+        std::uint8_t bytes[9];
+        std::fill(std::begin(bytes), std::end(bytes), std::uint8_t{0xFFU});
+        EXPECT_EQ(ReadVariable(VariablePlace{bytes, static_cast<std::uint8_t>(length)}).bits, mask) << length;
+        // When ones are written, then the bits above the length are 0 in its last byte, and no further one is touched
+        std::fill(std::begin(bytes), std::end(bytes), std::uint8_t{0x5AU});
+        WriteVariable(VariablePlace{bytes, static_cast<std::uint8_t>(length)}, VariableValue{~std::uint64_t{0U}});
+        for (std::uint32_t byte = 0U; byte < 9U; ++byte)
+        {
+            const std::uint32_t written = (byte < 8U) ? static_cast<std::uint32_t>((mask >> (8U * byte)) & 0xFFU) : 0U;
+            EXPECT_EQ(bytes[byte], (byte < size) ? written : 0x5AU) << length << " " << byte;
+        }
+    }
 }
 
 } // namespace
